@@ -45,7 +45,7 @@ Option Option::show_default(const std::string& text) {
 }
 
 Option Option::one_of(const std::vector<std::string>& all) {
-  option_->check(CLI::IsMember(all));
+  option_->transform(CLI::IsMember(all, CLI::ignore_case));
   return *this;
 }
 
@@ -71,7 +71,7 @@ Option Option::range(double least, double most) {
 
 Option Option::separated_by(char separator) {
   option_->delimiter(separator);
-  return *this;
+  return one_at_a_time();
 }
 
 Option Option::one_at_a_time() {
@@ -208,6 +208,10 @@ void CommandLine::add_help_verb() {
                                        : verb_help(*app_, arguments->verb, arguments->whole));
     return exit_ok;
   });
+}
+
+std::string CommandLine::help() const {
+  return verb_help(*app_, "", false);
 }
 
 Work CommandLine::read(const std::vector<std::string>& words) {

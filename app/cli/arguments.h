@@ -105,6 +105,9 @@ class CommandLine {
   /// Adds `help [VERB]`.
   void add_help_verb();
 
+  /// The short help of etak itself.
+  std::string help() const;
+
   /// Reads the line. Returns the work of the verb, or of --help; empty where the line names no verb. Throws
   /// Error with a text "PLACE: FOUND; expected EXPECTED" for a mistake on the line.
   ///   words   the name of the program and its arguments

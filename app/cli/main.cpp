@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/cli/options/common.h"
 #include "app/cli/options/files.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
@@ -46,10 +47,30 @@ std::string_view only_verb(const std::vector<std::string>& words) {
   return {};
 }
 
-int run(const std::vector<std::string>& words) {
+// Hooks, and `*` in a shell, put names on the line that strangers chose, such as --baseline=x.png. Throws Error for an
+// option that is also the name of a file. Behind -- such a name gets ./ before it, since options that take a list
+// would end at -- and let options follow; the words behind -- of a plan are those of another line.
+std::vector<std::string> without_names_as_options(std::vector<std::string> words) {
+  bool names = false;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    std::error_code ignored;
+    if (words[i].size() > 1 && words[i].starts_with('-') && words[1] != "plan" &&
+        std::filesystem::exists(std::filesystem::symlink_status(words[i], ignored))) {
+      if (!names)
+        throw Error::at(printable(words[i], 200), "is an option and the name of a file",
+                        "-- before the names of files");
+      words[i].insert(0, "./");
+    }
+    names = names || words[i] == "--";
+  }
+  return words;
+}
+
+int run(std::vector<std::string> words) {
+  if (words.size() > 1 && words[1] == "version") words[1] = "--version";
   CommandLine line("etak: measured optics into materials a renderer can trust", "etak");
   bool version = false, as_json = false;
-  line.top().flag("--version", version, "print the version and stop");
+  line.top().flag("-V,--version", version, "print the version and stop");
   line.top().flag("--json", as_json, "with --version: as JSON");
   line.top().footer(
       "Exit status: 0 done, 1 a named input was refused, 2 bad input, option or output.\n"
@@ -59,15 +80,17 @@ int run(const std::vector<std::string>& words) {
   if (only.empty() || only == #name) add_##name(line);
 #include "app/cli/verbs.inc"
 #undef ETAK_VERB
+  CommonArguments common;
   line.add_help_verb();
+  add_common_options(line, common);
   add_input_timeout(line);
   const Work work = line.read(words);
   if (version) return print_version(as_json);
   if (!work) {
-    complain("no verb given; see etak --help");
+    write_output({}, line.help());
     return exit_failure;
   }
-  return work();
+  return run_and_tell(work, common);
 }
 
 // The message where memory ran out in code that reports no file of its own: it names the largest file of the
@@ -98,8 +121,9 @@ std::string out_of_memory(const std::vector<std::string>& words) {
 
 namespace {
 
-// Ends the program with a message where an exception leaves a thread or the start-up code of a library, which
-// no handler of main() sees.
+// Ends the program with a message where an exception leaves a thread, an object that is made before main(), or the
+// start-up code of a library, which no handler of main() sees. The libraries of libetak-pictures.so, for one, start
+// threads when they are loaded.
 [[noreturn]] void tell_want_and_end() {
   const auto end = [](std::string_view text) {
     (void)etak::sys::write(etak::sys::standard_error, text.data(), text.size());
@@ -116,17 +140,19 @@ namespace {
   std::abort();
 }
 
+// Set before the objects that are made ahead of main(): option parsers and tables, which need memory too.
+[[gnu::constructor(101)]] void take_lost_exceptions() {
+  std::set_terminate(tell_want_and_end);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words = etak::sys::start_program(argc, argv);
   etak::end_by_signals();
   etak::settings_are(etak::SettingStyle::options);
-  // The libraries of libetak-pictures.so start threads when they are loaded, and end the program where they
-  // cannot.
-  std::set_terminate(tell_want_and_end);
   try {
-    return etak::cli::run(words);
+    return etak::cli::run(etak::cli::without_names_as_options(words));
   } catch (const etak::Error& error) {
     etak::cli::complain(error.what());
   } catch (const std::filesystem::filesystem_error& error) {

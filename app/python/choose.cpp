@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/choose/choose.h"
 
+#include "app/python/members.h"
 #include "app/python/validate.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
@@ -16,15 +17,9 @@ namespace {
 /// etak.Choices: what choose() found, for each material.
 struct Choices {
   std::vector<Choice> all;
-  CostTable costs;
   std::string scene;  // empty: materials of the library
   std::vector<std::string> remarks;
-
-  std::string text() const {
-    std::string out = choice_text(all, costs, scene);
-    while (out.ends_with('\n')) out.pop_back();
-    return out;
-  }
+  std::string text, json;
 };
 
 // The subjects that are asked for: the materials of a scene, or spheres of materials.
@@ -57,7 +52,7 @@ Subjects asked_subjects(const py::object& materials) {
 Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const std::optional<Gloss>& given,
                    const std::string& costs, const Library& library, int threads, LongWork& work) {
   Choices out;
-  out.costs = costs.empty() ? shipped_costs() : parse_costs(read_file(costs), costs);
+  const CostTable table = costs.empty() ? shipped_costs() : parse_costs(read_file(costs), costs);
   out.scene = subjects.scene;
   validate(options);
   std::vector<ChooseSubject> all;
@@ -75,13 +70,16 @@ Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const
     all.push_back(library_subject(*found.material, found.dataset(), given, out.remarks));
   }
   std::atomic<std::size_t> done{0};
-  out.all = choose_each(all, options, out.costs, threads_of(threads), [&](unsigned) {
+  out.all = choose_each(all, options, table, threads_of(threads), [&](unsigned) {
     work.tell(++done, all.size());
     work.go_on();
   });
   work.tell(all.size(), all.size());  // where another thread was the last
   for (const Choice& each : out.all)
     if (!each.met) out.remarks.push_back(unmet_remark(each));
+  out.json = choice_json(out.all, table, out.scene);
+  out.text = choice_text(out.all, table, out.scene);
+  while (out.text.ends_with('\n')) out.text.pop_back();
   return out;
 }
 
@@ -105,6 +103,8 @@ Choices choose_call(const py::object& materials, double budget, bool codes, std:
 void add_choose(py::module_& module) {
   py::class_<Choice> choice(module, "Choice",
                             "The cheapest way to draw a material within a budget of error.");
+  be_value(
+      choice, [](const Choice& c) { return py::make_tuple(bytes_of(c)); }, &from_bytes<Choice>);
   const auto get = [&](const char* name, auto read, const char* doc) {
     choice.def_property_readonly(name, read, doc);
   };
@@ -131,13 +131,20 @@ void add_choose(py::module_& module) {
   get(
       "unit", [](const Choice& c) { return std::string(name(c.unit)); },
       "Of errors: \"ΔE2000\" or \"codes\".");
-  choice.def("__repr__", [](const Choice& c) { return "<etak.Choice " + c.material + ": " + c.model + ">"; });
+  choice.def("__repr__", [](const Choice& c) { return repr_line("Choice", c.material + ": " + c.model); });
 
-  py::class_<Choices>(module, "Choices", "What choose() found: a sequence, one for each material.")
-      .def_readonly("remarks", &Choices::remarks, "What should be known of it.")
+  py::class_<Choices> choices(module, "Choices", "What choose() found: a sequence, one for each material.");
+  be_value(
+      choices,
+      [](const Choices& c) { return py::make_tuple(bytes_of(c.all), c.scene, c.remarks, c.text, c.json); },
+      [](const py::bytes& all, const std::string& scene, const std::vector<std::string>& remarks,
+         const std::string& text, const std::string& json) {
+        return Choices{from_bytes<std::vector<Choice>>(all), scene, remarks, text, json};
+      });
+  choices.def_readonly("remarks", &Choices::remarks, "What should be known of it.")
       .def_readonly("scene", &Choices::scene, "Empty: materials of the library.")
       .def(
-          "json", [](const Choices& c) { return choice_json(c.all, c.costs, c.scene); },
+          "json", [](const Choices& c) { return c.json; },
           "What pack(choice=...) and etak shader --choice take, as a file.")
       .def("__len__", [](const Choices& c) { return c.all.size(); })
       .def("__iter__", [](const Choices& c) { return py::iter(py::cast(c.all)); })
@@ -150,7 +157,7 @@ void add_choose(py::module_& module) {
             return c.all[static_cast<std::size_t>(index)];
           },
           py::arg("index"))
-      .def("__str__", &Choices::text)
+      .def("__str__", [](const Choices& c) { return c.text; })
       .def("__repr__",
            [](const Choices& c) { return "<etak.Choices of " + std::to_string(c.all.size()) + ">"; });
   module.def("choose", &choose_call, py::arg("materials"), py::arg("budget"), py::arg("codes"),

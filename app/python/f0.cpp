@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "app/python/members.h"
 #include "app/python/module.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -9,10 +11,10 @@
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
 #include "core/color/srgb.h"
-#include "core/material/limits.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
 #include "core/pages/f0/worker.h"
+#include "core/spectrum/own_viewing.h"
 
 namespace etak::python {
 namespace {
@@ -25,15 +27,57 @@ void set_texts(const py::dict& given, Settings& out,
     if (given.contains(name) && !given[name].is_none()) out.*member = text_of(given[name], name);
 }
 
+// The setting as a table of the caller's: (wavelength, values), the values with `columns` columns. They come back on the
+// reference grid, 0 outside of the table. Nothing where the setting is None or a word.
+std::optional<std::vector<std::array<double, grid_size>>> own_table(const py::dict& given, const char* name,
+                                                                    std::size_t columns) {
+  if (!given.contains(name)) return std::nullopt;
+  const py::object value = given[name];
+  if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value)) return std::nullopt;
+  if (py::len(value) != 2)
+    throw Error::at(name, "a list of " + std::to_string(py::len(value)), "(wavelength, values)");
+  const Array nm = doubles(value[py::int_(0)], name), values = doubles(value[py::int_(1)], name);
+  const auto rows = static_cast<std::size_t>(nm.size());
+  if (nm.ndim() != 1 || static_cast<std::size_t>(values.size()) != rows * columns ||
+      values.ndim() != (columns > 1 ? 2 : 1))
+    throw Error::at(name, "shapes " + shape_text(nm) + " and " + shape_text(values),
+                    columns > 1 ? "(M,) and (M, 3)" : "(M,) and (M,)");
+  std::vector<std::array<double, grid_size>> out(columns);
+  for (std::size_t c = 0; c < columns; ++c) {
+    Spectrum column{{nm.data(), nm.data() + rows}, std::vector<double>(rows)};
+    for (std::size_t i = 0; i < rows; ++i) column.value[i] = values.data()[columns * i + c];
+    validate(column, name);
+    if (column.first_nm() > visible_first_nm || column.last_nm() < visible_last_nm)
+      throw Error::at(
+          name, "a table of " + number(column.first_nm(), 6) + "-" + number(column.last_nm(), 6) + " nm",
+          "one that holds 380-780 nm");
+    resample_to_grid(column, out[c]);
+    for (std::size_t i = 0; i < grid_size; ++i) {
+      const double at = grid_first_nm + static_cast<double>(i);
+      if (at < column.first_nm() || at > column.last_nm()) out[c][i] = 0;
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
-F0Settings f0_settings(const py::dict& given) {
-  F0Settings out;
+GivenF0Settings f0_settings(const py::dict& given) {
+  GivenF0Settings out;
   using S = F0Settings;
+  if (const auto table = own_table(given, "observer", 3)) {
+    std::array<std::array<double, 3>, grid_size> rows{};
+    for (std::size_t i = 0; i < grid_size; ++i) rows[i] = {(*table)[0][i], (*table)[1][i], (*table)[2][i]};
+    out.own_observer = own_observer(rows);
+  } else {
+    set_texts<S>(given, out, {{"observer", &S::observer}});
+  }
+  if (const auto table = own_table(given, "illuminant", 1))
+    out.own_illuminant = own_illuminant(table->front());
+  else
+    set_texts<S>(given, out, {{"illuminant", &S::illuminant}});
   set_texts<S>(given, out,
-               {{"observer", &S::observer},
-                {"illuminant", &S::illuminant},
-                {"interpolation", &S::interpolation},
+               {{"interpolation", &S::interpolation},
                 {"method", &S::method},
                 {"integration_bound", &S::integration_bound},
                 {"space", &S::space},
@@ -47,33 +91,59 @@ F0Settings f0_settings(const py::dict& given) {
 TableSettings table_settings(const py::dict& given) {
   TableSettings out;
   using S = TableSettings;
-  set_texts<S>(given, out, {{"unit", &S::unit}, {"columns", &S::columns}, {"duplicates", &S::duplicates}});
+  set_texts<S>(given, out,
+               {{"unit", &S::unit},
+                {"columns", &S::columns},
+                {"duplicates", &S::duplicates},
+                {"material_class", &S::material_class},
+                {"origin", &S::origin}});
   return out;
 }
 
-F0Options options_of(const F0Settings& settings, const Library& library) {
-  return f0_options(settings, library.when_asked(), [](const std::string& config, const std::string& name) {
-    return pictures(setting("space")).open_space(config, name);
-  });
+F0Options options_of(const GivenF0Settings& settings, const Library& library) {
+  F0Options out =
+      f0_options(settings, library.when_asked(), [](const std::string& config, const std::string& name) {
+        return pictures(setting("space")).open_space(config, name);
+      });
+  if (settings.own_observer) out.viewing.observer = *settings.own_observer;
+  if (settings.own_illuminant) out.viewing.illuminant = *settings.own_illuminant;
+  if (settings.own_observer || settings.own_illuminant)
+    if (const double y = make_quadrature(Method::nm1, out.viewing).white()[1]; !(std::abs(y - 1) < 1e-6))
+      throw Error::at(setting("illuminant"), "no light that the observer sees",
+                      "a sum of power and y above 0");
+  return out;
 }
 
 namespace {
 
 // ---- one material
 
+/// What an answer says beyond its row.
+struct F0Words {
+  std::string space, policy, text, json;
+  std::optional<Spread> spread;
+};
+
 /// etak.F0: an answer, and what it was computed with.
 struct F0Answer {
   F0Row row;
-  std::shared_ptr<const F0Solver> solver;
+  std::shared_ptr<const F0Solver> solver;    // null: `words` are from a pickle
   std::shared_ptr<const Material> material;  // null: of a file without one
+  GivenF0Settings settings;                  // keeps tables of the caller's for the solver
+  F0Words words;
 
   const F0Result& result() const { return row.result; }
 };
 
-F0Answer answer(const AskedMaterial& asked, bool axis_average, const F0Settings& settings,
-                const TableSettings& tables, const Library& library) {
+std::shared_ptr<const F0Solver> solver_of(const GivenF0Settings& settings, const Library& library) {
+  return std::make_shared<const F0Solver>(options_of(settings, library));
+}
+
+F0Answer answer(const AskedMaterial& asked, bool axis_average, const std::shared_ptr<const F0Solver>& solver,
+                const GivenF0Settings& settings, const TableSettings& tables, const Library& library) {
   F0Answer out;
-  out.solver = std::make_shared<const F0Solver>(options_of(settings, library));
+  out.solver = solver;
+  out.settings = settings;
   const MaterialInput input = find_one(asked, library);
   const F0Job job{*out.solver, table_options(tables), axis_average, true, false};
   F0Worker worker;
@@ -89,12 +159,37 @@ F0Answer answer(const AskedMaterial& asked, bool axis_average, const F0Settings&
 }
 
 std::optional<Spread> spread_of(const F0Answer& answer) {
+  if (!answer.solver) return answer.words.spread;
   if (!answer.material) return std::nullopt;
-  const Unlocked unlocked;
-  MaterialReport report{*answer.material, {}};
-  for (const Dataset& dataset : report.material.datasets)
-    report.results.push_back(solve(*answer.solver, report.material, dataset));
-  return spread(report);
+  LongWork work;
+  return work.unlocked([&] {
+    MaterialReport report{*answer.material, {}};
+    for (const Dataset& dataset : report.material.datasets) {
+      work.go_on();
+      report.results.push_back(solve(*answer.solver, report.material, dataset));
+    }
+    return std::optional<Spread>(spread(report));
+  });
+}
+
+std::string text_of_answer(const F0Answer& answer) {
+  if (!answer.solver) return answer.words.text;
+  const F0Options& options = answer.solver->options();
+  std::string out = f0_table({&answer.row, 1}, options, false) + f0_legend({&answer.row, 1}, options);
+  if (!answer.row.source.empty()) out += answer.row.source + '\n';
+  while (out.ends_with('\n')) out.pop_back();
+  return out;
+}
+
+F0Words words_of(const F0Answer& answer) {
+  if (!answer.solver) return answer.words;
+  const F0Options& options = answer.solver->options();
+  return {space_name(options), policy(options), text_of_answer(answer), f0_json({&answer.row, 1}, options),
+          spread_of(answer)};
+}
+
+std::string space_of(const F0Answer& answer) {
+  return answer.solver ? space_name(answer.solver->options()) : answer.words.space;
 }
 
 std::vector<std::string> flags_of(const F0Result& result) {
@@ -103,18 +198,10 @@ std::vector<std::string> flags_of(const F0Result& result) {
   return out;
 }
 
-std::string text_of_answer(const F0Answer& answer) {
-  const F0Options& options = answer.solver->options();
-  std::string out = f0_table({&answer.row, 1}, options, false) + f0_legend({&answer.row, 1}, options);
-  if (!answer.row.source.empty()) out += answer.row.source + '\n';
-  while (out.ends_with('\n')) out.pop_back();
-  return out;
-}
-
 std::string repr_of(const F0Answer& answer) {
   const LinearRgb& c = answer.result().linear;
-  return "<etak.F0 " + answer.row.path + ": " + hex(answer.result().srgb8) + ", " + fixed(c.r, 4) + " " +
-         fixed(c.g, 4) + " " + fixed(c.b, 4) + " in " + space_name(answer.solver->options()) + ">";
+  return repr_line("F0", answer.row.path + ": " + hex(answer.result().srgb8) + ", " + fixed(c.r, 4) + " " +
+                             fixed(c.g, 4) + " " + fixed(c.b, 4) + " in " + space_of(answer));
 }
 
 // For notebooks: a swatch beside the text.
@@ -126,168 +213,37 @@ std::string html_of(const F0Answer& answer) {
          escape_html(answer.row.source) + "</pre></div>";
 }
 
-// ---- arrays
-
-/// Spectra in rows: n and k, or reflectances, all at the same wavelengths.
-struct Rows {
-  Array wavelength, first, second;  // n and k, or reflectances and nothing
-  bool has_k = false, is_reflectance = false;
-  std::size_t count = 1, samples = 0;
-  bool one = false;  // a single spectrum, without a first axis
-
-  const char* name() const { return is_reflectance ? "reflectance" : "n"; }
-  // "n[17]" or "n".
-  std::string place(std::size_t row) const {
-    return one ? name() : name() + ("[" + std::to_string(row) + "]");
-  }
-  std::string k_place(std::size_t row) const { return one ? "k" : "k[" + std::to_string(row) + "]"; }
-};
-
-void check_shape(const Array& array, const char* name, const Rows& rows) {
-  const py::ssize_t samples = rows.wavelength.size();
-  if ((array.ndim() != 1 && array.ndim() != 2) || array.shape(array.ndim() - 1) != samples)
-    throw Error::at(name, "shape " + shape_text(array),
-                    "(N, M) or (M,) with M = " + std::to_string(samples) + " as wavelength has");
-}
-
-Rows rows_of(const py::object& n, const py::object& k, const py::object& reflectance,
-             const py::object& wavelength) {
-  Rows out;
-  if (wavelength.is_none())
-    throw Error::at("wavelength", "is not given", "wavelengths in nm, one for each sample");
-  out.is_reflectance = !reflectance.is_none();
-  if (out.is_reflectance == !n.is_none())
-    throw Error::at(out.is_reflectance ? "reflectance" : "n",
-                    out.is_reflectance ? "is given beside n" : "is not given",
-                    "either n and k or reflectance");
-  if (out.is_reflectance && !k.is_none())
-    throw Error::at("k", "is given beside reflectance", "one of the two");
-  out.wavelength = doubles(wavelength, "wavelength");
-  if (out.wavelength.ndim() != 1)
-    throw Error::at("wavelength", "shape " + shape_text(out.wavelength), "(M,)");
-  out.first = doubles(out.is_reflectance ? reflectance : n, out.name());
-  check_shape(out.first, out.name(), out);
-  out.has_k = !k.is_none();
-  if (out.has_k) {
-    out.second = doubles(k, "k");
-    if (out.second.ndim() != out.first.ndim() ||
-        !std::equal(out.first.shape(), out.first.shape() + out.first.ndim(), out.second.shape()))
-      throw Error::at("k", "shape " + shape_text(out.second), shape_text(out.first) + " as n has");
-  }
-  out.samples = static_cast<std::size_t>(out.wavelength.size());
-  out.one = out.first.ndim() == 1;
-  out.count = out.one ? 1 : static_cast<std::size_t>(out.first.shape(0));
-  return out;
-}
-
-// Throws the Error of the first value outside [0, most]. The first loop has no branches, so that it takes no
-// time beside the work on the row.
-//   place   gives the place for the message
-template <class Place>
-void check_values(std::span<const double> values, double most, std::span<const double> wavelength,
-                  const char* name, const Place& place) {
-  bool fine = true;
-  for (const double value : values) fine &= value >= 0 && value <= most;
-  if (fine) return;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!(values[i] >= 0 && values[i] <= most))
-      throw Error::at(
-          place(),
-          std::string(name) + " = " + number(values[i], 9) + " at " + number(wavelength[i], 9) + " nm",
-          "0 <= " + std::string(name) + " <= " + number(most, 9));
-}
-
-// The optics of one thread, whose wavelengths are set once and whose values are those of one row after the
-// other.
-class RowOptics {
- public:
-  RowOptics(const Rows& rows, std::span<const double> wavelength) {
-    const Spectrum blank{{wavelength.begin(), wavelength.end()}, std::vector<double>(wavelength.size())};
-    if (rows.is_reflectance)
-      optics_ = Reflectance{blank};
-    else if (rows.has_k)
-      optics_ = OpticalConstants{blank, blank};
-    else
-      optics_ = OpticalConstants{blank, std::nullopt};
-  }
-  void set(std::span<const double> first, std::span<const double> second) {
-    if (auto* reflectance = std::get_if<Reflectance>(&optics_)) {
-      copy(first, reflectance->spectrum);
-      return;
-    }
-    auto& constants = std::get<OpticalConstants>(optics_);
-    copy(first, std::get<Spectrum>(constants.n));
-    if (constants.k) copy(second, *constants.k);
-  }
-  const Optics& optics() const { return optics_; }
-  std::span<const double> first() const {
-    if (const auto* reflectance = std::get_if<Reflectance>(&optics_)) return reflectance->spectrum.value;
-    return std::get<Spectrum>(std::get<OpticalConstants>(optics_).n).value;
-  }
-  std::span<const double> second() const { return std::get<OpticalConstants>(optics_).k->value; }
-
- private:
-  static void copy(std::span<const double> from, Spectrum& to) {
-    std::copy(from.begin(), from.end(), to.value.begin());
-  }
-  Optics optics_;
-};
-
-// Linear colours of all rows into `colors`, three for each.
-void solve_rows(const Rows& rows, const F0Solver& solver, int threads, LongWork& work,
-                std::span<double> colors) {
-  const std::span<const double> nm = values_of(rows.wavelength), first = values_of(rows.first),
-                                second = rows.has_k ? values_of(rows.second) : std::span<const double>();
-  validate(Spectrum{{nm.begin(), nm.end()}, std::vector<double>(nm.size())}, "wavelength");
-  const double most = rows.is_reflectance ? 1 : most_n;
-  // Below some thousand samples, starting a thread takes longer than the work.
-  const unsigned most_workers = threads_of(threads);
-  constexpr std::size_t chunk = 8, least_samples = 1 << 14;
-  const unsigned workers = rows.count * rows.samples < least_samples ? 1 : most_workers;
-  std::vector<std::optional<RowOptics>> rooms(workers);
-  parallel_chunks(rows.count, workers, chunk, [&](std::size_t begin, std::size_t end, unsigned worker) {
-    work.go_on();
-    std::optional<RowOptics>& room = rooms[worker];
-    if (!room) room.emplace(rows, nm);
-    for (std::size_t row = begin; row < end; ++row) {
-      const auto of = [&](std::span<const double> all) {
-        return all.subspan(row * rows.samples, rows.samples);
-      };
-      room->set(of(first), rows.has_k ? of(second) : second);
-      // The copies are checked, because another thread may change the arrays meanwhile.
-      check_values(room->first(), most, nm, rows.name(), [&] { return rows.place(row); });
-      if (rows.has_k) check_values(room->second(), most_k, nm, "k", [&] { return rows.k_place(row); });
-      const F0Result result = solver.solve(room->optics());
-      if (result.refused()) throw Error::at(rows.place(row), "refused: " + result.refusal);
-      colors[3 * row] = result.linear.r;
-      colors[3 * row + 1] = result.linear.g;
-      colors[3 * row + 2] = result.linear.b;
-    }
-  });
-}
-
-Array f0_of_rows(const py::object& n, const py::object& k, const py::object& reflectance,
-                 const py::object& wavelength, const py::dict& given, const Library& library, int threads) {
-  const Rows rows = rows_of(n, k, reflectance, wavelength);
-  const F0Settings settings = f0_settings(given);
-  std::vector<py::ssize_t> shape{3};
-  if (!rows.one) shape.insert(shape.begin(), static_cast<py::ssize_t>(rows.count));
-  Array out(shape);
-  const std::span<double> colors(out.mutable_data(), 3 * rows.count);
+// The answers of materials, in their order.
+std::vector<F0Answer> answers(const std::vector<py::object>& materials, const std::string& dataset,
+                              bool axis_average, const py::dict& given, const Library& library, int threads) {
+  const std::vector<AskedMaterial> asked = asked_materials(materials, dataset);
+  const GivenF0Settings settings = f0_settings(given);
+  const TableSettings tables = table_settings(given);
   LongWork work;
-  work.unlocked([&] {
-    const F0Solver solver(options_of(settings, library));
-    solve_rows(rows, solver, threads, work, colors);
-    return true;
+  return work.unlocked([&] {
+    const auto solver = solver_of(settings, library);
+    std::vector<F0Answer> out(asked.size());
+    std::map<std::pair<std::string, const Material*>, std::size_t> places;
+    std::vector<std::size_t> first;  // that asks the same
+    for (const AskedMaterial& each : asked)
+      first.push_back(places.try_emplace({each.text, each.material.get()}, first.size()).first->second);
+    parallel_chunks(asked.size(), threads_of(threads), 1, [&](std::size_t i, std::size_t, unsigned) {
+      work.go_on();
+      if (first[i] == i) out[i] = answer(asked[i], axis_average, solver, settings, tables, library);
+    });
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (first[i] != i) out[i] = out[first[i]];
+    return out;
   });
-  return out;
 }
 
 }  // namespace
 
 void add_f0(py::module_& module) {
-  py::class_<Spread>(module, "Spread", "How far the published datasets of a material disagree.")
-      .def_readonly("count", &Spread::count, "Datasets that were not refused.")
+  py::class_<Spread> spread_type(module, "Spread", "How far the published datasets of a material disagree.");
+  be_value(
+      spread_type, [](const Spread& s) { return py::make_tuple(bytes_of(s)); }, &from_bytes<Spread>);
+  spread_type.def_readonly("count", &Spread::count, "Datasets that were not refused.")
       .def_property_readonly(
           "least", [](const Spread& s) { return array_of_rgb(s.least); }, "Per channel.")
       .def_property_readonly(
@@ -303,6 +259,17 @@ void add_f0(py::module_& module) {
 
   py::class_<F0Answer> f0(module, "F0",
                           "Reflectance at normal incidence as a colour, and what one must know to trust it.");
+  be_value(
+      f0,
+      [](const F0Answer& a) {
+        const F0Words words = words_of(a);
+        return py::make_tuple(bytes_of(a.row), words.space, words.policy, words.text, words.json,
+                              words.spread);
+      },
+      [](const py::bytes& row, const std::string& space, const std::string& policy, const std::string& text,
+         const std::string& json, const std::optional<Spread>& spread) {
+        return F0Answer{from_bytes<F0Row>(row), nullptr, nullptr, {}, {space, policy, text, json, spread}};
+      });
   const auto get = [&](const char* name, auto read, const char* doc) {
     f0.def_property_readonly(name, read, doc);
   };
@@ -328,8 +295,7 @@ void add_f0(py::module_& module) {
   get(
       "alias_note", [](const F0Answer& a) { return a.row.alias_note; },
       "What must be said of the name that was asked for.");
-  get(
-      "space", [](const F0Answer& a) { return space_name(a.solver->options()); }, "The space of rgb.");
+  get("space", &space_of, "The space of rgb.");
   get(
       "rgb", [](const F0Answer& a) { return array_of_rgb(a.result().linear); },
       "Linear, in `space`; never clipped.");
@@ -399,31 +365,19 @@ void add_f0(py::module_& module) {
       "largest_gap", [](const F0Answer& a) { return a.result().coverage.largest_gap_nm; },
       "Between rows within 400 to 700 nm, in nm; 0 for a formula.");
   get(
-      "policy", [](const F0Answer& a) { return policy(a.solver->options()); },
+      "policy", [](const F0Answer& a) { return a.solver ? policy(a.solver->options()) : a.words.policy; },
       "What the numbers were computed by.");
   get("spread", &spread_of, "Of all datasets of the material; None for a file without a material.");
   f0.def(
       "json",
       [](const F0Answer& a) {
-        return f0_json({&a.row, 1}, a.solver->options());
+        return a.solver ? f0_json({&a.row, 1}, a.solver->options()) : a.words.json;
       },
       "As the command line's --format json.");
   f0.def("__str__", &text_of_answer).def("__repr__", &repr_of).def("_repr_html_", &html_of);
 
-  module.def(
-      "f0",
-      [](const py::object& material, const std::string& dataset, bool axis_average, const py::dict& settings,
-         const Library& library) {
-        const AskedMaterial asked = asked_material(material, dataset);
-        const F0Settings how = f0_settings(settings);
-        const TableSettings tables = table_settings(settings);
-        const Unlocked unlocked;
-        return answer(asked, axis_average, how, tables, library);
-      },
-      py::arg("material"), py::arg("dataset"), py::arg("axis_average"), py::arg("settings"),
-      py::arg("library"));
-  module.def("f0_of_rows", &f0_of_rows, py::arg("n"), py::arg("k"), py::arg("reflectance"),
-             py::arg("wavelength"), py::arg("settings"), py::arg("library"), py::arg("threads"));
+  module.def("f0", &answers, py::arg("materials"), py::arg("dataset"), py::arg("axis_average"),
+             py::arg("settings"), py::arg("library"), py::arg("threads"));
 }
 
 }  // namespace etak::python

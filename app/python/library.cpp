@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "app/python/members.h"
 #include "app/python/module.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/color/srgb.h"
-#include "core/exchange/material_input.h"
+#include "core/material/catalogue.h"
 #include "core/material/find.h"
 #include "core/material/material.h"
 #include "core/material/names.h"
@@ -13,83 +14,6 @@
 #include "core/material/quality.h"
 
 namespace etak::python {
-
-// ---- Library
-
-const MaterialLibrary& Library::get() const {
-  std::call_once(opened_, [this] { library_ = known_library(folders_); });
-  return *library_;
-}
-
-std::shared_ptr<const KnownMaterials> Library::known() const {
-  if (folders_.empty() && environment_libraries().empty()) return nullptr;
-  std::call_once(knows_, [this] { known_ = std::make_shared<const KnownMaterials>(get()); });
-  return known_;
-}
-
-const Library& standard_library() {
-  static const Library library{{}};
-  return library;
-}
-
-// ---- finding
-
-AskedMaterial asked_material(const py::object& value, const std::string& dataset) {
-  AskedMaterial out;
-  out.dataset = dataset;
-  if (py::isinstance<DatasetOf>(value)) {
-    const auto& of = value.cast<const DatasetOf&>();
-    if (!dataset.empty()) throw Error::at(setting("dataset"), "given beside a Dataset", "one of the two");
-    return {of.label(), of.material, of.dataset().id};
-  }
-  if (py::isinstance<Material>(value)) {
-    out.material = value.cast<std::shared_ptr<Material>>();
-    out.text = out.material->id;
-    return out;
-  }
-  if (py::isinstance<py::str>(value)) {
-    out.text = value.cast<std::string>();
-    return out;
-  }
-  if (!py::hasattr(value, "__fspath__"))
-    throw py::type_error("a name, a path, a Material or a Dataset is expected, not " +
-                         std::string(py::repr(value)));
-  out.text = text_of(value, "material");
-  // A path is never taken for the name of a material.
-  if (!out.text.starts_with('/') && !out.text.starts_with('.')) out.text = "./" + out.text;
-  return out;
-}
-
-MaterialInput find_one(const AskedMaterial& asked, const Library& library) {
-  if (asked.material) {
-    MaterialInput out;
-    out.kind = MaterialInput::Kind::material;
-    out.path = asked.text;
-    out.material = asked.material;
-    out.dataset = asked.dataset;
-    return out;
-  }
-  InputNames names;
-  names.names = {asked.text};
-  names.dataset = asked.dataset;
-  std::vector<MaterialInput> found = find_inputs(names, library.when_asked(), 1);
-  if (found.size() != 1)
-    throw Error::at(printable(asked.text), "stands for " + std::to_string(found.size()) + " of them",
-                    "one material, dataset or file");
-  if (found[0].kind == MaterialInput::Kind::failed) throw Error(found[0].path);
-  return std::move(found[0]);
-}
-
-DatasetOf read_one(const AskedMaterial& asked, const Library& library, const TableSettings& tables) {
-  const MaterialInput input = find_one(asked, library);
-  DatasetOf out;
-  out.material = input.material
-                     ? input.material
-                     : std::make_shared<const Material>(read_material(input, table_options(tables)));
-  const Dataset& chosen = dataset_named(*out.material, input.dataset, input.label());
-  out.index = static_cast<std::size_t>(&chosen - out.material->datasets.data());
-  return out;
-}
 
 namespace {
 
@@ -116,17 +40,27 @@ const OpticalConstants& constants_of(const DatasetOf& of) {
 template <class Read>
 py::object at_wavelengths(const py::object& wavelength, bool extrapolate, const std::string& interpolation,
                           const Read& read) {
-  const Array at = doubles(wavelength, "wavelength");
+  const Array given = doubles(wavelength, "wavelength");
+  const std::vector<double> at(given.data(), given.data() + given.size());
   ReadOptions options;
   options.extrapolate = extrapolate;
   options.interpolation = setting_value("interpolation", interpolation, options.interpolation,
                                         interpolation_named, "linear or pchip");
-  const std::vector<double> values = [&] {
-    const Unlocked unlocked;
-    return read(values_of(at), options);
-  }();
-  if (at.ndim() == 0) return py::float_(values[0]);
-  Array out(std::vector<py::ssize_t>(at.shape(), at.shape() + at.ndim()));
+  LongWork work;
+  const std::vector<double> values = work.unlocked([&] {
+    constexpr std::size_t block = 1 << 16;
+    std::vector<double> out;
+    std::span<const double> rest(at);
+    do {
+      work.go_on();
+      const std::vector<double> some = read(rest.first(std::min(block, rest.size())), options);
+      out.insert(out.end(), some.begin(), some.end());
+      rest = rest.subspan(some.size());
+    } while (!rest.empty());
+    return out;
+  });
+  if (given.ndim() == 0) return py::float_(values[0]);
+  Array out(std::vector<py::ssize_t>(given.shape(), given.shape() + given.ndim()));
   std::copy(values.begin(), values.end(), out.mutable_data());
   return out;
 }
@@ -172,8 +106,9 @@ DatasetOf dataset_by_name(const std::shared_ptr<Material>& material, const std::
 }
 
 // A material of one dataset, of numbers that a program has.
-DatasetOf made_dataset(const py::object& wavelength, const py::object& n, const py::object& k,
+DatasetOf made_dataset(const py::object& wavelength, const py::object& given_n, const py::object& given_k,
                        const py::object& reflectance, const std::string& name) {
+  const auto [n, k] = parts_of_index(given_n, given_k);
   const Array at = doubles(wavelength, "wavelength");
   const auto table = [&](const py::object& value, const char* what) {
     const Array values = doubles(value, what);
@@ -204,19 +139,36 @@ DatasetOf made_dataset(const py::object& wavelength, const py::object& n, const 
   return {std::move(material), 0};
 }
 
-std::shared_ptr<Material> material_named(const Library& library, const std::string& name) {
-  const MaterialLibrary& known = library.get();
-  auto found = known.find(name);
-  if (!found)
-    fail_unknown_name(known, name, {.place = {}, .found = "no material has this name", .instead = {}});
-  return std::make_shared<Material>(std::move(*found));
+// The materials whose id, name, group or alias holds the text, in any case.
+std::vector<std::string> ids_with(const Library& library, const std::string& text,
+                                  const std::vector<std::string>& classes) {
+  const MaterialLibrary& known = library.opened();
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < known.ids().size(); ++i)
+    if (fits(CatalogueEntry{known.at(i), {}}, {classes, text, {}})) out.push_back(known.ids()[i]);
+  return out;
 }
 
-}  // namespace
+// A material of a pickle, whose numbers the solver must be able to rely on.
+std::shared_ptr<Material> restored_material(const py::bytes& bytes) {
+  auto out = std::make_shared<Material>(from_bytes<Material>(bytes));
+  if (out->preferred >= out->datasets.size()) throw Error::at("pickle", "no preferred dataset", "a material");
+  for (const Dataset& each : out->datasets) {
+    if (const auto* constants = std::get_if<OpticalConstants>(&each.optics)) {
+      if (const auto* n = std::get_if<Spectrum>(&constants->n)) validate(*n, "pickle");
+      if (constants->k) validate(*constants->k, "pickle");
+    } else {
+      validate(std::get<Reflectance>(each.optics).spectrum, "pickle");
+    }
+  }
+  return out;
+}
 
-void add_library(py::module_& module) {
-  py::class_<Citation>(module, "Citation", "Who measured, and where it was published.")
-      .def_readonly("authors", &Citation::authors, "In the order of the publication.")
+void add_citation(py::module_& module) {
+  py::class_<Citation> citation(module, "Citation", "Who measured, and where it was published.");
+  be_value(
+      citation, [](const Citation& c) { return py::make_tuple(bytes_of(c)); }, &from_bytes<Citation>);
+  citation.def_readonly("authors", &Citation::authors, "In the order of the publication.")
       .def_readonly("title", &Citation::title, "Of the publication.")
       .def_readonly("published_in", &Citation::published_in,
                     "Journal, volume and pages, or the name of a report.")
@@ -228,13 +180,86 @@ void add_library(py::module_& module) {
       .def_readonly("licence", &Citation::licence, "Of the numbers: an SPDX id.")
       .def_readonly("via", &Citation::via, "The collection and page that the numbers were taken from.")
       .def("__str__", [](const Citation& c) { return one_line(c); })
-      .def("__repr__", [](const Citation& c) { return "<etak.Citation " + one_line(c) + ">"; })
-      .def(
-          "__eq__", [](const Citation& a, const Citation& b) { return a == b; }, py::is_operator());
+      .def("__repr__", [](const Citation& c) { return repr_line("Citation", one_line(c)); });
+}
 
+std::shared_ptr<Material> material_named(const Library& library, const std::string& name) {
+  const MaterialLibrary& known = library.opened();
+  auto found = known.find(name);
+  if (!found)
+    fail_unknown_name(known, name, {.place = {}, .found = "no material has this name", .instead = {}});
+  return std::make_shared<Material>(std::move(*found));
+}
+
+// A library of folders, which Library(...) and pickles make.
+std::unique_ptr<Library> library_of(const py::args& folders) {
+  std::vector<std::string> paths;
+  for (const auto& each : folders) paths.push_back(text_of(each, "folders"));
+  return std::make_unique<Library>(std::move(paths));
+}
+
+void add_library_type(py::module_& module) {
+  py::class_<Library> library(module, "Library", "The materials that names stand for.");
+  be_value(
+      library, [](const Library& l) { return py::tuple(py::cast(l.folders())); }, &library_of);
+  library
+      .def(
+          py::init(&library_of),
+          "The built-in library, those of ETAK_LIBRARY over it, and the folders of material files over both.")
+      .def("__len__", [](const Library& l) { return l.opened().ids().size(); })
+      .def("__iter__", [](const Library& l) { return py::iter(py::cast(l.opened().ids())); })
+      .def("__contains__",
+           [](const Library& l, const py::object& name) {
+             return py::isinstance<py::str>(name) && l.opened().look_up(name.cast<std::string>()).has_value();
+           })
+      .def("__getitem__", &material_named, py::arg("name"),
+           "The material of that id, name, alias or formula; raises Error with the nearest names.")
+      .def(
+          "keys", [](const Library& l) { return l.opened().ids(); }, "The ids, as iterating gives them.")
+      .def("search", &ids_with, py::arg("text"), py::arg("classes") = std::vector<std::string>(),
+           "Ids of the materials whose id, name, group or an alias holds the text, in any case; of these "
+           "classes only.")
+      .def(
+          "suggest",
+          [](const Library& l, const std::string& name) {
+            std::vector<std::string> out;
+            for (Suggestion& each : l.opened().suggest(name)) out.push_back(std::move(each.text));
+            return out;
+          },
+          py::arg("name"), "Names that come near.")
+      .def("__repr__", [](const Library& l) {
+        return "<etak.Library of " + std::to_string(l.opened().ids().size()) + " materials>";
+      });
+  // Type.__new__(Type) makes a whole library too, which __init__ then leaves as it is.
+  reinterpret_cast<PyTypeObject*>(library.ptr())->tp_new =  // NOLINT: an object of Python is its type
+      [](PyTypeObject*, PyObject* arguments, PyObject*) -> PyObject* {
+    try {
+      return py::cast(library_of(py::reinterpret_borrow<py::args>(arguments))).release().ptr();
+    } catch (py::error_already_set& error) {
+      error.restore();
+    } catch (const std::exception& error) {
+      PyErr_SetString(PyExc_TypeError, error.what());
+    }
+    return nullptr;
+  };
+}
+
+}  // namespace
+
+void add_library(py::module_& module) {
+  add_citation(module);
   py::class_<Material, std::shared_ptr<Material>> material(module, "Material",
                                                            "A material and its datasets.");
+  be_value(
+      material, [](const Material& m) { return py::make_tuple(bytes_of(m)); }, &restored_material);
   py::class_<DatasetOf> dataset(module, "Dataset", "What one source says of one sample.");
+  be_value(
+      dataset, [](const DatasetOf& d) { return py::make_tuple(bytes_of(*d.material), d.index); },
+      [](const py::bytes& bytes, std::size_t index) {
+        const auto of = restored_material(bytes);
+        if (index >= of->datasets.size()) throw Error::at("pickle", "no such dataset", "one of its material");
+        return DatasetOf{of, index};
+      });
 
   const auto at = [&](const char* name, auto read, const char* doc) {
     dataset.def(name, read, py::arg("wavelength"), py::kw_only(), py::arg("extrapolate") = false,
@@ -309,7 +334,7 @@ void add_library(py::module_& module) {
       "First and last wavelength of k, in nm, which may have a table of its own; None: no k is given.");
   text(
       "range", [](const DatasetOf& d) { return range_of(d.dataset()); }, "First and last wavelength, in nm.");
-  dataset.def("__repr__", [](const DatasetOf& d) { return "<etak.Dataset " + d.label() + ">"; });
+  dataset.def("__repr__", [](const DatasetOf& d) { return repr_line("Dataset", d.label()); });
 
   material.def_readonly("id", &Material::id, "Lower case: \"gold\".")
       .def_readonly("name", &Material::name, "\"Gold\".")
@@ -335,35 +360,9 @@ void add_library(py::module_& module) {
       .def("dataset", &dataset_by_name, py::arg("name"), "The dataset of that id, or its unique beginning.")
       .def("__len__", [](const Material& m) { return m.datasets.size(); })
       .def("__iter__", [](const std::shared_ptr<Material>& m) { return py::iter(py::cast(datasets_of(m))); })
-      .def("__repr__", [](const Material& m) { return "<etak.Material " + m.id + ">"; });
+      .def("__repr__", [](const Material& m) { return repr_line("Material", m.id); });
 
-  py::class_<Library>(module, "Library", "The materials that names stand for.")
-      .def(
-          py::init([](const py::args& folders) {
-            std::vector<std::string> paths;
-            for (const auto& each : folders) paths.push_back(text_of(each, "folders"));
-            return std::make_unique<Library>(std::move(paths));
-          }),
-          "The built-in library, those of ETAK_LIBRARY over it, and the folders of material files over both.")
-      .def("__len__", [](const Library& l) { return l.get().ids().size(); })
-      .def("__iter__", [](const Library& l) { return py::iter(py::cast(l.get().ids())); })
-      .def("__contains__",
-           [](const Library& l, const py::object& name) {
-             return py::isinstance<py::str>(name) && l.get().look_up(name.cast<std::string>()).has_value();
-           })
-      .def("__getitem__", &material_named, py::arg("name"),
-           "The material of that id, name, alias or formula; raises Error with the nearest names.")
-      .def(
-          "suggest",
-          [](const Library& l, const std::string& name) {
-            std::vector<std::string> out;
-            for (Suggestion& each : l.get().suggest(name)) out.push_back(std::move(each.text));
-            return out;
-          },
-          py::arg("name"), "Names that come near.")
-      .def("__repr__", [](const Library& l) {
-        return "<etak.Library of " + std::to_string(l.get().ids().size()) + " materials>";
-      });
+  add_library_type(module);
   module.attr("library") =
       py::cast(const_cast<Library*>(&standard_library()), py::return_value_policy::reference);
 
@@ -374,8 +373,8 @@ void add_library(py::module_& module) {
       [](const py::object& asked_for, const std::string& id, const py::dict& tables, const Library& library) {
         const AskedMaterial asked = asked_material(asked_for, id);
         const TableSettings settings = table_settings(tables);
-        const Unlocked unlocked;
-        return read_one(asked, library, settings);
+        LongWork work;
+        return work.unlocked([&] { return read_one(asked, library, settings); });
       },
       py::arg("material"), py::arg("dataset"), py::arg("tables"), py::arg("library"));
 }

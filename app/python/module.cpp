@@ -15,21 +15,42 @@ std::string module_folder;
 
 }  // namespace
 
-Array doubles(const py::object& value, const char* name) {
-  if (py::isinstance(value, py::module_::import("numpy.ma").attr("MaskedArray")))
-    throw Error::at(name, "a masked array", "an array without gaps, such as its filled()");
-  const py::array any = py::array::ensure(value);
-  if (!any) {
-    PyErr_Clear();
-    throw Error::at(name, "no array of numbers: " + printable(std::string(py::str(py::type::of(value)))),
+namespace {
+
+// numpy.asarray(value), whose exceptions are passed on.
+py::array as_array(const py::object& value, const char* name) {
+  try {
+    return py::module_::import("numpy").attr("asarray")(value);
+  } catch (py::error_already_set& error) {
+    // Lists of different lengths: numpy does not say which argument they are.
+    if (!error.matches(PyExc_ValueError) ||
+        !(py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)))
+      throw;
+    throw Error::at(name,
+                    "no array of numbers: " + printable(py::str(error.value()).cast<std::string>(), 200),
                     "real numbers");
   }
+}
+
+}  // namespace
+
+Array doubles(const py::object& value, const char* name) {
+  const py::module_ numpy = py::module_::import("numpy");
+  if (py::isinstance(value, numpy.attr("ma").attr("MaskedArray")))
+    throw Error::at(name, "a masked array", "an array without gaps, such as its filled()");
+  const py::array any = as_array(value, name);
   const char kind = any.dtype().kind();
   if (kind != 'f' && kind != 'i' && kind != 'u')
-    throw Error::at(name, "an array of " + std::string(py::str(any.dtype())), "real numbers");
-  const auto out = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(any);
-  if (!out) throw py::error_already_set();
-  return Array(out);
+    throw Error::at(name, "an array of " + py::str(any.dtype()).cast<std::string>(), "real numbers");
+  return py::reinterpret_borrow<Array>(numpy.attr("asarray")(any, "float64", "C"));
+}
+
+std::pair<py::object, py::object> parts_of_index(const py::object& n, const py::object& k) {
+  if (n.is_none() || py::isinstance(n, py::module_::import("numpy.ma").attr("MaskedArray"))) return {n, k};
+  const py::array any = as_array(n, "n");
+  if (any.dtype().kind() != 'c') return {any, k};
+  if (!k.is_none()) throw Error::at("k", "is given beside a complex n", "one of the two");
+  return {any.attr("real"), any.attr("imag")};
 }
 
 std::string shape_text(const Array& array) {
@@ -42,13 +63,19 @@ Array array_of(std::span<const double> values) {
   return Array(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
+std::string repr_line(const char* name, const std::string& text) {
+  return std::string("<etak.") + name + " " + line_text(text) + ">";
+}
+
 std::string text_of(const py::handle& value, const std::string& name) {
   if (value.is_none()) return {};
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) return py::repr(value);
+  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))
+    return py::repr(value).cast<std::string>();
   if (py::hasattr(value, "__fspath__"))
     return py::module_::import("os").attr("fsdecode")(value).cast<std::string>();
-  throw py::type_error(name + ": a word or a number is expected, not " + std::string(py::repr(value)));
+  throw py::type_error(name + ": a word or a number is expected, not " +
+                       printable(py::repr(value).cast<std::string>(), 200));
 }
 
 unsigned threads_of(int asked) {
@@ -121,7 +148,7 @@ PYBIND11_MODULE(_core, module) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Error& what) {
-      error(valid_utf8(what.what()).c_str());
+      error(line_text(what.what()).c_str());
     }
   });
   module.def(
@@ -132,4 +159,6 @@ PYBIND11_MODULE(_core, module) {
   add_validate(module);
   add_pack(module);
   add_choose(module);
+  add_questions(module);
+  add_rows(module);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/python/text_caster.h"
+
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -19,6 +21,8 @@
 #include <vector>
 
 #include "app/pictures/doors.h"
+#include "app/python/value_type.h"
+#include "core/base/files/between_files.h"
 #include "core/exchange/material_input.h"
 #include "core/exchange/table.h"
 #include "core/material/f0_settings.h"
@@ -36,8 +40,12 @@ using Array = py::array_t<double, py::array::c_style>;
 // ---- arrays
 
 /// `value` as an array of doubles in C order: a copy only where it is not one already. Throws Error (naming
-/// `name`) for what is no array of real numbers.
+/// `name`) for what is no array of real numbers, and what its __array__ or a lack of memory throws.
 Array doubles(const py::object& value, const char* name);
+
+/// The parts of a complex index n + 1j k; `n` and `k` as they are where n is not complex. Throws Error where k stands
+/// beside a complex n.
+std::pair<py::object, py::object> parts_of_index(const py::object& n, const py::object& k);
 
 /// "(906, 471)", for messages.
 std::string shape_text(const Array& array);
@@ -64,6 +72,9 @@ class Library {
 
   /// From any thread.
   const MaterialLibrary& get() const;
+  /// The same for a thread that holds the interpreter's lock: reading folders can be interrupted.
+  const MaterialLibrary& opened() const;
+  const std::vector<std::string>& folders() const { return folders_; }
   LibraryWhenAsked when_asked() const {
     return [this]() -> const MaterialLibrary& { return get(); };
   }
@@ -97,6 +108,9 @@ struct AskedMaterial {
 };
 AskedMaterial asked_material(const py::object& value, const std::string& dataset);
 
+/// The same of several; Ctrl-C is heard meanwhile.
+std::vector<AskedMaterial> asked_materials(const std::vector<py::object>& values, const std::string& dataset);
+
 /// The one input that was asked for, and its material. Throws Error where it is none, or several.
 MaterialInput find_one(const AskedMaterial& asked, const Library& library);
 DatasetOf read_one(const AskedMaterial& asked, const Library& library, const TableSettings& tables);
@@ -104,12 +118,21 @@ DatasetOf read_one(const AskedMaterial& asked, const Library& library, const Tab
 /// A word or number that a keyword gives; None: empty. Throws TypeError for a value of another type.
 std::string text_of(const py::handle& value, const std::string& name);
 
+/// The line of repr(): "<etak.NAME TEXT>", which a terminal can show whatever the text holds.
+std::string repr_line(const char* name, const std::string& text);
+
+/// Settings of F0, with the observer and the illuminant where these are tables of the caller's, which live as long.
+struct GivenF0Settings : F0Settings {
+  std::shared_ptr<const Observer> own_observer;
+  std::shared_ptr<const Illuminant> own_illuminant;
+};
+
 /// The settings that a dictionary holds by their keywords, which are those of F0 and of tables.
-F0Settings f0_settings(const py::dict& given);
+GivenF0Settings f0_settings(const py::dict& given);
 TableSettings table_settings(const py::dict& given);
 
 /// The solver's options.
-F0Options options_of(const F0Settings& settings, const Library& library);
+F0Options options_of(const GivenF0Settings& settings, const Library& library);
 
 // ---- pictures
 
@@ -118,7 +141,8 @@ const PictureDoors& pictures(const std::string& place);
 
 // ---- long work
 
-/// Lets Ctrl-C and the exceptions of a progress function stop work that does not hold the interpreter's lock, and tells how far it is. One for each call.
+/// Lets Ctrl-C and the exceptions of a progress function stop work that does not hold the interpreter's lock: where the
+/// work asks, and between two files. Tells how far it is. One for each call.
 class LongWork {
  public:
   ///   progress   called as progress(done, all); None: nobody listens
@@ -141,6 +165,8 @@ class LongWork {
     std::exception_ptr failure;
     {
       const Unlocked without_lock;
+      const std::function<void()> between = [this] { go_on(); };
+      const BetweenFiles files(between);
       try {
         out.emplace(work());
       } catch (...) {
@@ -169,5 +195,7 @@ void add_fresnel(py::module_& module);
 void add_validate(py::module_& module);
 void add_pack(py::module_& module);
 void add_choose(py::module_& module);
+void add_questions(py::module_& module);
+void add_rows(py::module_& module);
 
 }  // namespace etak::python

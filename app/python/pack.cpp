@@ -22,7 +22,7 @@ struct KeywordValue {
   py::handle value;
 
   [[noreturn]] void fail_type(std::string_view expected) const {
-    throw Error::at(name, printable(std::string(py::str(value)), 60), expected);
+    throw Error::at(name, printable(py::str(value).cast<std::string>(), 60), expected);
   }
   bool is_number() const { return py::isinstance<py::int_>(value) && !py::isinstance<py::bool_>(value); }
   double number() const {
@@ -68,11 +68,35 @@ PackSettings pack_settings(const std::string& input, const std::string& output, 
   return out;
 }
 
-/// etak.Packed.
+/// etak.Packed: what is told of a pack.
 struct Packed {
-  PackResult result;
+  std::string input, output;
+  std::vector<std::string> files, remarks;
+  bool up_to_date = false, dry_run = false;
+  std::size_t materials = 0, regions = 0;
+  std::vector<std::pair<int, int>> pages;
+  std::string layout, json, text;  // layout.json, and the report of the packer in both forms
   std::optional<Report> report;
 };
+
+Packed told_of(const PackResult& r) {
+  Packed out{r.input,
+             r.output,
+             r.files,
+             r.remarks,
+             r.up_to_date,
+             r.dry_run,
+             r.materials,
+             r.regions,
+             {},
+             layout_json(r.layout),
+             report_json(r, false),
+             report_text(r, false),
+             {}};
+  for (const AtlasPage& each : r.layout.pages) out.pages.emplace_back(each.width, each.height);
+  while (out.text.ends_with('\n')) out.text.pop_back();
+  return out;
+}
 
 // How the work is done, as a caller says it.
 struct PackCall {
@@ -105,14 +129,14 @@ Packed packed(const PackCall& call, const Library& library, LongWork& work) {
   PackOptions options = options_of(call);
   const std::string& out = call.settings.out;
   std::optional<PackCheck> check;
-  Packed result;
+  std::optional<Report> report;
   if (call.validate) {
     PackCheckOptions how;
     how.config = validate_config(call.check, out + "/layout.json", library.known());
     how.never_fails = call.check.fail_on == never_fails;
     how.threads = options.run.threads;
     how.version = ETAK_VERSION;
-    result.report = Report{nullptr, how.config.settings.fail_on, how.never_fails};
+    report = Report{nullptr, how.config.settings.fail_on, how.never_fails};
     check.emplace(out, std::move(how)).attach(options);
   }
   options.run.progress = [&](std::size_t done, std::size_t all) { work.tell(done, all); };
@@ -123,13 +147,12 @@ Packed packed(const PackCall& call, const Library& library, LongWork& work) {
   };
   const MaterialLibrary& known = library.get();
   options.input.other_manifest = project_reader(known);
-  result.result = with_memory_for(
+  Packed result = told_of(with_memory_for(
       call.settings.input, [&] { return "its atlas " + out; },
-      [&] { return pack(call.settings.input, out, options, known); });
-  if (check && check->report() != nullptr)
-    result.report->report = std::make_shared<const ValidationReport>(*check->report());
-  else
-    result.report.reset();
+      [&] { return pack(call.settings.input, out, options, known); }));
+  if (!check || check->report() == nullptr) return result;
+  report->report = std::make_shared<const ValidationReport>(*check->report());
+  result.report = std::move(report);
   return result;
 }
 
@@ -156,54 +179,43 @@ Packed pack_call(const py::object& input, const py::object& output, const py::di
 
 void add_pack(py::module_& module) {
   py::class_<Packed> packed(module, "Packed", "What pack() did.");
-  const auto get = [&](const char* name, auto read, const char* doc) {
-    packed.def_property_readonly(name, read, doc);
-  };
-  get(
-      "input", [](const Packed& p) { return p.result.input; }, "As the caller named it.");
-  get(
-      "output", [](const Packed& p) { return p.result.output; }, "The folder.");
-  get(
-      "files", [](const Packed& p) { return p.result.files; }, "That were written, in the folder.");
-  get(
-      "remarks", [](const Packed& p) { return p.result.remarks; }, "What should be known of the result.");
-  get(
-      "up_to_date", [](const Packed& p) { return p.result.up_to_date; }, "It was in place already.");
-  get(
-      "dry_run", [](const Packed& p) { return p.result.dry_run; }, "Nothing was written.");
-  get(
-      "materials", [](const Packed& p) { return p.result.materials; }, "Their number.");
-  get(
-      "regions", [](const Packed& p) { return p.result.regions; }, "Their number.");
-  get(
-      "pages",
+  be_value(
+      packed,
       [](const Packed& p) {
-        std::vector<std::pair<int, int>> out;
-        for (const AtlasPage& each : p.result.layout.pages) out.emplace_back(each.width, each.height);
-        return out;
+        return py::make_tuple(py::make_tuple(p.input, p.output, p.layout, p.json, p.text), p.files, p.remarks,
+                              py::make_tuple(p.up_to_date, p.dry_run), py::make_tuple(p.materials, p.regions),
+                              p.pages, p.report);
       },
-      "(width, height) of each.");
-  get(
-      "layout",
-      [](const Packed& p) {
-        return py::module_::import("json").attr("loads")(layout_json(p.result.layout)).cast<py::dict>();
-      },
-      "What layout.json holds.");
-  get(
-      "report", [](const Packed& p) { return p.report; },
-      "What the validator found on the pages; None: they were not checked.");
-  packed
+      [](const std::array<std::string, 5>& texts, const std::vector<std::string>& files,
+         const std::vector<std::string>& remarks, const std::array<bool, 2>& is,
+         const std::array<std::size_t, 2>& counts, const std::vector<std::pair<int, int>>& pages,
+         const std::optional<Report>& report) {
+        return Packed{texts[0],  texts[1], files,    remarks,  is[0],    is[1], counts[0],
+                      counts[1], pages,    texts[2], texts[3], texts[4], report};
+      });
+  packed.def_readonly("input", &Packed::input, "As the caller named it.")
+      .def_readonly("output", &Packed::output, "The folder.")
+      .def_readonly("files", &Packed::files, "That were written, in the folder.")
+      .def_readonly("remarks", &Packed::remarks, "What should be known of the result.")
+      .def_readonly("up_to_date", &Packed::up_to_date, "It was in place already.")
+      .def_readonly("dry_run", &Packed::dry_run, "Nothing was written.")
+      .def_readonly("materials", &Packed::materials, "Their number.")
+      .def_readonly("regions", &Packed::regions, "Their number.")
+      .def_readonly("pages", &Packed::pages, "(width, height) of each.")
+      .def_property_readonly(
+          "layout",
+          [](const Packed& p) {
+            return py::module_::import("json").attr("loads")(p.layout).cast<py::dict>();
+          },
+          "What layout.json holds.")
+      .def_readonly("report", &Packed::report,
+                    "What the validator found on the pages; None: they were not checked.")
       .def(
-          "json", [](const Packed& p) { return report_json(p.result, false); }, "The report of the packer.")
-      .def("__str__",
-           [](const Packed& p) {
-             std::string out = report_text(p.result, false);
-             while (out.ends_with('\n')) out.pop_back();
-             return out;
-           })
+          "json", [](const Packed& p) { return p.json; }, "The report of the packer.")
+      .def("__str__", [](const Packed& p) { return p.text; })
       .def("__repr__", [](const Packed& p) {
-        return "<etak.Packed " + p.result.output + ": " + std::to_string(p.result.materials) +
-               " materials, " + std::to_string(p.result.layout.pages.size()) + " pages>";
+        return repr_line("Packed", p.output + ": " + std::to_string(p.materials) + " materials, " +
+                                       std::to_string(p.pages.size()) + " pages");
       });
   module.def("pack", &pack_call, py::arg("input"), py::arg("output"), py::arg("run"), py::arg("check"),
              py::arg("settings"), py::arg("library"), py::arg("threads"), py::arg("progress"));

@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/validate/baseline.h"
+#include "core/validate/files/result_cache.h"
 #include "core/validate/output/explain.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/rules.h"
@@ -59,6 +60,75 @@ struct FileOf {
   std::shared_ptr<const ValidationReport> report;
   const CheckedFile* file = nullptr;
 };
+
+// ---- pickles
+
+// What the bytes of the cache do not hold of a file and its findings: what a configuration and a baseline say of them.
+py::tuple file_state(const CheckedFile& file) {
+  py::list judged;
+  for (const Finding& each : file.findings)
+    judged.append(py::make_tuple(each.suppressed, each.suppression, each.baseline));
+  return py::make_tuple(py::bytes(result_text(file)), file.unreadable, judged);
+}
+CheckedFile file_of(const py::tuple& state) {
+  auto out = read_result_text(std::string_view(state[0].cast<py::bytes>()));
+  const py::list judged = state[2].cast<py::list>();
+  if (!out || judged.size() != out->findings.size())
+    throw Error::at("pickle", "bytes of another form", "those of a pickle of this type");
+  out->unreadable = state[1].cast<bool>();
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    Finding& each = out->findings[i];
+    std::tie(each.suppressed, each.suppression, each.baseline) =
+        judged[i].cast<std::tuple<bool, std::string, bool>>();
+  }
+  return std::move(*out);
+}
+
+py::tuple state_of(const FileOf& of) {
+  return py::make_tuple(file_state(*of.file), of.report->typed);
+}
+py::tuple state_of(const FindingOf& of) {
+  CheckedFile alone;
+  alone.findings = {*of.finding};
+  return py::make_tuple(file_state(alone), of.report->typed);
+}
+FileOf restored_file(const py::tuple& file, const TypedFolders& typed) {
+  auto report = std::make_shared<ValidationReport>();
+  report->typed = typed;
+  report->files.push_back(file_of(file));
+  const CheckedFile* const first = &report->files.front();
+  return {std::move(report), first};
+}
+FindingOf restored_finding(const py::tuple& file, const TypedFolders& typed) {
+  FileOf of = restored_file(file, typed);
+  if (of.file->findings.empty()) throw Error::at("pickle", "no finding", "one");
+  return {std::move(of.report), &of.file->findings.front()};
+}
+
+py::tuple state_of(const Report& of) {
+  const ValidationReport& r = *of.report;
+  py::list files;
+  for (const CheckedFile& each : r.files) files.append(file_state(each));
+  return py::make_tuple(
+      static_cast<int>(of.fail_on), of.never_fails, py::make_tuple(r.profile, r.transfer, r.settings_hash),
+      files, std::array{r.errors, r.warnings, r.infos},
+      std::array{r.passed, r.incomplete, r.stopped, r.nothing_checked}, r.not_opened, r.unknown, r.typed,
+      std::array{r.run.files, r.run.skipped, r.run.failed, r.run.checks, r.run.from_cache, r.run.unchanged});
+}
+Report restored_report(int fail_on, bool never_fails, const std::array<std::string, 3>& texts,
+                       const py::list& files, const std::array<std::size_t, 3>& found,
+                       const std::array<bool, 4>& is, const std::vector<std::string>& not_opened,
+                       const std::vector<std::string>& unknown, const TypedFolders& typed,
+                       const std::array<std::size_t, 6>& run) {
+  auto r = std::make_shared<ValidationReport>();
+  r->profile = texts[0], r->transfer = texts[1], r->settings_hash = texts[2];
+  for (const py::handle each : files) r->files.push_back(file_of(each.cast<py::tuple>()));
+  r->errors = found[0], r->warnings = found[1], r->infos = found[2];
+  r->passed = is[0], r->incomplete = is[1], r->stopped = is[2], r->nothing_checked = is[3];
+  r->not_opened = not_opened, r->unknown = unknown, r->typed = typed;
+  r->run = {run[0], run[1], run[2], run[3], run[4], run[5]};
+  return {std::move(r), static_cast<Severity>(fail_on), never_fails};
+}
 
 std::vector<FindingOf> findings_of(const Report& report) {
   std::vector<FindingOf> out;
@@ -117,8 +187,10 @@ ValidationRequest request_of(const py::object& paths, const py::dict& given, con
 
 Report check(const py::object& paths, const py::dict& given, const Library& library, int threads,
              py::object progress) {
-  ValidationRequest request = request_of(paths, given, library, threads);
   LongWork work(std::move(progress));
+  // Reading folders of materials can then be interrupted.
+  (void)work.unlocked([&] { return library.known(); });
+  ValidationRequest request = request_of(paths, given, library, threads);
   request.progress = [&](std::size_t done, std::size_t all) { work.tell(done, all); };
   request.stop = [&] { return work.stopped(); };
   Report out;
@@ -136,6 +208,8 @@ py::object box_of(const std::optional<PixelBox>& box) {
 
 void add_finding(py::module_& module) {
   py::class_<FindingOf> finding(module, "Finding", "A defect that a rule has found.");
+  be_value(
+      finding, [](const FindingOf& f) { return state_of(f); }, &restored_finding);
   const auto get = [&](const char* name, auto read, const char* doc) {
     finding.def_property_readonly(name, read, doc);
   };
@@ -215,7 +289,7 @@ void add_finding(py::module_& module) {
            place_of(*f.finding, f.path()) + ": " + sentence_of(*f.finding);
   };
   finding.def("__str__", line).def("__repr__", [line](const FindingOf& f) {
-    return "<etak.Finding " + line(f) + ">";
+    return repr_line("Finding", line(f));
   });
 }
 
@@ -223,8 +297,11 @@ void add_finding(py::module_& module) {
 
 void add_validate(py::module_& module) {
   add_finding(module);
-  py::class_<FileOf>(module, "CheckedFile", "A checked file, or a pair or set of files that belong together.")
-      .def_property_readonly(
+  py::class_<FileOf> file(module, "CheckedFile",
+                          "A checked file, or a pair or set of files that belong together.");
+  be_value(
+      file, [](const FileOf& f) { return state_of(f); }, &restored_file);
+  file.def_property_readonly(
           "path", [](const FileOf& f) { return shown_path(f.file->path, f.report->typed); },
           "As the caller named it.")
       .def_property_readonly(
@@ -244,7 +321,7 @@ void add_validate(py::module_& module) {
           [](const FileOf& f) {
             py::dict out;
             for (const auto& [path, role] : f.file->roles)
-              out[py::str(shown_path(path, f.report->typed))] = role;
+              out[py::cast(shown_path(path, f.report->typed))] = role;
             return out;
           },
           "What each file was taken for.")
@@ -267,10 +344,12 @@ void add_validate(py::module_& module) {
           },
           "In the order of rules.")
       .def("__repr__", [](const FileOf& f) {
-        return "<etak.CheckedFile " + shown_path(f.file->path, f.report->typed) + ">";
+        return repr_line("CheckedFile", shown_path(f.file->path, f.report->typed));
       });
 
   py::class_<Report> report(module, "Report", "What the validator found: a sequence of findings.");
+  be_value(
+      report, [](const Report& r) { return state_of(r); }, &restored_report);
   const auto get = [&](const char* name, auto read, const char* doc) {
     report.def_property_readonly(name, read, doc);
   };
@@ -318,7 +397,7 @@ void add_validate(py::module_& module) {
              while (out.ends_with('\n')) out.pop_back();
              return out;
            })
-      .def("__repr__", [](const Report& r) { return "<etak.Report " + verdict_of(*r.report) + ">"; });
+      .def("__repr__", [](const Report& r) { return repr_line("Report", verdict_of(*r.report)); });
 
   module.def("validate", &check, py::arg("paths"), py::arg("settings"), py::arg("library"),
              py::arg("threads"), py::arg("progress"));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -64,6 +65,9 @@ struct AtlasLayout {
   std::vector<AtlasMaterialRow> materials;  // by name
   std::string settings_hash, content_hash;
   std::vector<std::string> other_files;  // "scene.gltf", ...
+  // Of every file but the layout itself as it was written: 64 hexadecimal digits by name. Layouts of earlier versions
+  // have none.
+  std::map<std::string, std::string> sha256;
   friend bool operator==(const AtlasLayout&, const AtlasLayout&) = default;
 };
 

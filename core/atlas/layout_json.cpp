@@ -184,6 +184,9 @@ std::string layout_json(const AtlasLayout& layout) {
       {"materials", rows_json(layout.materials, material_json)},
       {"other_files", json_array_of(layout.other_files)},
   };
+  std::vector<JsonMember> hashes;
+  for (const auto& [file, hash] : layout.sha256) hashes.push_back({file, json(hash)});
+  if (!hashes.empty()) members.push_back({"sha256", json_object(hashes, 2)});
   return json_object(members, 0) + "\n";
 }
 
@@ -213,6 +216,11 @@ AtlasLayout parse_layout(std::string_view text, std::string_view file) {
     out.rects.push_back(read_rect(rects.at(i), out.pages.size()));
   for (std::size_t i = 0; i < materials.size(); ++i) out.materials.push_back(read_material(materials.at(i)));
   if (root.has("other_files")) out.other_files = read_file_names(root.at("other_files"));
+  if (root.has("sha256")) {
+    const JsonNode hashes = root.at("sha256");
+    hashes.expect_object();
+    for (const auto& [name, ignored] : hashes.value.items()) out.sha256[name] = hashes.at(name).text();
+  }
   return out;
 }
 

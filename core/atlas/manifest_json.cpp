@@ -85,13 +85,14 @@ class ManifestReader {
     const JsonNode node = material.at(role.key);
     if (node.value.is_string()) return source_text(node, role);
     if (node.value.is_number()) {
-      const double v = unit_number(node);
+      const double v = number_of(node, role);
       return ConstantSource{{v, v, v}, {}};
     }
     if (node.value.is_array()) {
       if (!role.color) node.fail_type("a number");
       if (node.size() != 3) node.fail_type("[r, g, b]");
-      return ConstantSource{{unit_number(node.at(0)), unit_number(node.at(1)), unit_number(node.at(2))}, {}};
+      return ConstantSource{
+          {number_of(node.at(0), role), number_of(node.at(1), role), number_of(node.at(2), role)}, {}};
     }
     if (!node.value.is_object()) node.fail_type(source_forms);
     if (node.has("material")) {
@@ -120,6 +121,14 @@ class ManifestReader {
     if (!role.color)
       node.fail(in_quotes(text) + ", which is no file name (it has no ending)", "a file or a number");
     return LibrarySource{text, "", ""};
+  }
+
+  // F0 of the library is above 1 where a colour lies outside of sRGB, and may be given so.
+  static double number_of(const JsonNode& node, const Role& role) {
+    if (std::string_view(role.key) != "specular") return unit_number(node);
+    const double v = node.number();
+    if (v < 0 || v > 2) node.fail_type("a number from 0 to 2; above 1 is outside of sRGB");
+    return v;
   }
 
   static double unit_number(const JsonNode& node) {

@@ -56,6 +56,7 @@ enum class OpenIn {
   folder,            // as Open::folder
   create,            // a new file, for writing
   create_temporary,  // a new file, for reading and writing
+  lock,              // a file to be locked, made where it is missing
 };
 ///   mode   of a new file, less the user's mask
 int open_in(int folder, const std::string& name, OpenIn how, unsigned mode = 0);
@@ -105,9 +106,12 @@ bool rename_in(int from, const std::string& name, int to, const std::string& new
 bool rename_new_in(int from, const std::string& name, int to, const std::string& new_name);
 /// Whether the system can exchange two names in one step.
 bool can_exchange();
-bool exchange_in(int folder, const std::string& a, const std::string& b);
+bool exchange_in(int from, const std::string& name, int to, const std::string& other);
 /// A second name for a file (a hard link).
 bool link_in(int from, const std::string& name, int to, const std::string& new_name);
+
+/// A symbolic link to a folder, only where can_exchange().
+bool make_link_in(int folder, const std::string& target, const std::string& name);
 
 /// Locks what is open against other descriptors of it, in this and in other programs, until unlock() or until
 /// the descriptor is closed. Never waits: fails with EWOULDBLOCK where another one holds the lock.
@@ -205,11 +209,15 @@ void keep_freed_memory(int largest, int kept, int ahead = 0);
 /// Whether the process may have so many more threads and bytes of addresses.
 bool has_room(std::size_t threads, std::size_t bytes);
 
+/// The variables of this program's environment, each as NAME=VALUE.
+std::vector<std::string> environment();
 /// Runs a program of the search path to its end; its messages go to standard error. False where it cannot be run.
-///   words    its name and its arguments
-///   out      what it wrote to standard output
-///   status   its exit status; -1 where it ended in another way
-bool run_program(const std::vector<std::string>& words, std::string& out, int& status);
+///   words         its name and its arguments
+///   environment   its variables, as environment() has them
+///   out           what it wrote to standard output
+///   status        its exit status; -1 where it ended in another way
+bool run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+                 std::string& out, int& status);
 
 /// A shared library, which stays loaded. Null where it cannot be loaded; library_fault() tells why, for
 /// library_symbol() too.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/files/between_files.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/parallel.h"
 #include "core/base/text/ascii.h"
@@ -66,6 +67,7 @@ Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
   sys::FileInfo info;
   if (sys::file_info(folder.folder(), info)) out.identity = {info.device, info.number};
   for (sys::FolderReader::Entry entry; folder.next(entry);) {
+    BetweenFiles::call();
     if (entry.name[0] == '.') {
       out.hides = true;
       continue;

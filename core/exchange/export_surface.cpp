@@ -6,10 +6,12 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/base/text/text.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
 #include "core/material/dispersion.h"
+#include "core/material/optics_class.h"
 #include "core/material/quality.h"
 
 namespace etak {
@@ -74,8 +76,7 @@ void take_total(const LinearRgb& measured, ExportSurface& out) {
 
 void take_clarity(const Material& material, const Clarity& body, ExportSurface& out) {
   if (!body.clear) {
-    out.notes.push_back("the body is taken as black: " + body.reason +
-                        "; light scattered inside is in no n and k");
+    out.notes.push_back(black_body_remark(body));
     return;
   }
   out.clear = ClearBody{body.color, body.depth_m};
@@ -111,7 +112,14 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
   out.name = material.name;
   note_quality(out, material, dataset);
   out.space = options.space;
+  if (std::string remark = class_remark(material); !remark.empty()) out.notes.push_back(std::move(remark));
   const std::string_view kind = optical_kind(material.material_class);
+  if (material.class_by == ClassBy::nobody && result.luminance > most_assumed_f0)
+    throw Error::at(material.id + "/" + dataset.id,
+                    "F0 " + number(result.luminance, 3) +
+                        " is too bright for a dielectric, no class is stated, and n and k at 550 nm do not "
+                        "tell it",
+                    setting("class") + " metal, semiconductor, surface, ...");
   if (kind == "surface") {
     take_total(result.linear, out);
   } else {

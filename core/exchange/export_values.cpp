@@ -3,10 +3,13 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/base/json/json_text.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/setting.h"
 #include "core/base/text/csv.h"
+#include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
 
 namespace etak {
@@ -66,6 +69,31 @@ std::string json_material(const ExportedValues& each) {
 }
 
 }  // namespace
+
+std::vector<const EngineTarget*> engine_targets_named(const std::vector<std::string>& ids) {
+  std::vector<const EngineTarget*> out;
+  std::vector<std::string> known;
+  for (const EngineTarget& each : engine_targets()) {
+    known.emplace_back(each.id);
+    if (ids.empty()) out.push_back(&each);
+  }
+  for (const std::string& id : ids) {
+    out.push_back(engine_target(id));
+    if (out.back() == nullptr)
+      throw Error::at(setting("target"), printable(id), joined(known) + did_you_mean(id, known));
+  }
+  return out;
+}
+
+void require_export_space(std::string_view to, const F0Options& options) {
+  const bool mtlx = to == "mtlx";
+  const RgbSpace space = options.space;
+  if (!options.custom_space &&
+      (space == RgbSpace::srgb || (mtlx && (space == RgbSpace::acescg || space == RgbSpace::display_p3))))
+    return;
+  throw Error::at(setting("space"), space_name(options) + " with " + setting("to") + " " + std::string(to),
+                  mtlx ? "srgb, acescg or display-p3" : "srgb, which its values are in");
+}
 
 std::vector<ExportedValues> exported_values(std::vector<ExportSurface> surfaces,
                                             const std::vector<std::string>& datasets,

@@ -8,6 +8,13 @@
 
 namespace etak {
 
+/// The targets with these ids, all where there are none. Throws Error (naming the setting "target").
+std::vector<const EngineTarget*> engine_targets_named(const std::vector<std::string>& ids);
+
+/// Throws Error (naming the setting "space") where a form of export does not hold colours of that space.
+///   to   "mtlx", "gltf", "glb" or "values"
+void require_export_space(std::string_view to, const F0Options& options);
+
 /// A surface with its values in every target asked for.
 struct ExportedValues {
   ExportSurface surface;

@@ -15,6 +15,7 @@
 #include "core/material/json.h"
 #include "core/material/limits.h"
 #include "core/material/names.h"
+#include "core/material/optics_class.h"
 
 namespace etak {
 namespace {
@@ -40,13 +41,13 @@ Material material_of_table(std::string_view text, const std::string& path, const
   // A byte that is no text takes four characters.
   const bool named = id.empty() && !stem.empty() && !is_pipe_input(path);
   out.name = named ? printable(stem, most_name_bytes / 4 - 3) : out.id;
-  out.material_class = "solid";
   out.preferred_reason = "the only dataset";
   Dataset& dataset = out.datasets.emplace_back();
   dataset.id = identifier(stem, '-', "table");
   dataset.optics = std::move(table.optics);
   dataset.flags = table.flags;
   dataset.citation.title = path.substr(path.rfind('/') + 1);
+  decide_class(out);
   return out;
 }
 
@@ -92,9 +93,11 @@ bool is_prose_file(std::string_view path, std::string_view head) {
 Material material_of_text(std::string_view text, const std::string& path, MaterialFileKind kind,
                           const TableOptions& options, std::string_view id) {
   assert(kind != MaterialFileKind::none);
-  if (kind == MaterialFileKind::page) return material_from_rii_page(text, path, id);
-  if (kind == MaterialFileKind::table) return material_of_table(text, path, options, id);
-  return parse_material(text, path);
+  Material out = kind == MaterialFileKind::page    ? material_from_rii_page(text, path, id)
+                 : kind == MaterialFileKind::table ? material_of_table(text, path, options, id)
+                                                   : parse_material(text, path);
+  state(out, options);
+  return out;
 }
 
 Material read_material_file(const std::string& path, MaterialFileKind kind, const TableOptions& options,

@@ -49,16 +49,16 @@ void add_folder(const std::string& path, const InputNames& asked, unsigned threa
 
 // Adds the datasets that datasets_named() finds for `dataset`; empty: the preferred one, or all if asked for.
 //   label   id of the material, or the file that it was read from
+//   note    what must be said of the name; may be empty
 void add_datasets(Material read, std::string dataset, const InputNames& asked, const std::string& label,
-                  std::string_view name, std::vector<MaterialInput>& out) {
+                  std::string note, std::vector<MaterialInput>& out) {
   if (dataset.empty() && asked.all_datasets) dataset = "*";
   MaterialInput input;
   input.kind = MaterialInput::Kind::material;
   input.path = label;
   const auto material = std::make_shared<const Material>(std::move(read));
   input.material = material;
-  if (const std::string_view note = alias_note(*material, name); !note.empty())
-    input.alias_note = printable(name) + ": " + std::string(note);
+  input.alias_note = std::move(note);
   if (dataset.empty()) {
     out.push_back(std::move(input));
     return;
@@ -75,11 +75,13 @@ bool add_material(const std::string& name, const InputNames& asked, const Librar
                   bool path_exists, std::vector<MaterialInput>& out) {
   auto found = find_material(library(), name);
   if (!found) return false;
+  auto& [material, by, note] = found->answer;
+  if (path_exists && by == NameKind::qualified) return false;
   const bool whole = found->name == name;
-  if (!whole && path_exists && found->material.dataset(found->dataset) == nullptr) return false;
-  const std::string id = found->material.id;
-  add_datasets(std::move(found->material), whole ? asked.dataset : found->dataset, asked, id, found->name,
-               out);
+  if (!whole && path_exists && material.dataset(found->dataset) == nullptr) return false;
+  if (!note.empty()) note = printable(found->name) + ": " + note;
+  const std::string id = material.id;
+  add_datasets(std::move(material), whole ? asked.dataset : found->dataset, asked, id, std::move(note), out);
   return true;
 }
 
@@ -133,6 +135,9 @@ void add_name(const std::string& name, const InputNames& asked, const LibraryWhe
   if (kind == MaterialFileKind::none && exists && info.kind == sys::FileInfo::Kind::file)
     throw Error::at(name, "has no ending that etak knows",
                     ".yml, .csv, .tsv, .txt, .dat or .json, or - for standard input");
+  if (const std::size_t comma = name.find(',');
+      !exists && !path_like && comma != name.npos && library().look_up(name.substr(0, comma)))
+    throw Error::at(printable(name), "several names in one", "a blank between them in place of ','");
   if (!exists && !path_like && kind == MaterialFileKind::none)
     fail_unknown_name(library(), name,
                       {.place = {}, .found = "no material, file or folder has this name", .instead = {}});
@@ -181,7 +186,11 @@ bool is_prose(const MaterialInput& input, std::string_view head) {
 
 Material read_material(const MaterialInput& input, const TableOptions& tables, std::string_view id) {
   if (input.kind == MaterialInput::Kind::failed) throw Error(input.path);
-  if (input.kind == MaterialInput::Kind::material) return *input.material;
+  if (input.kind == MaterialInput::Kind::material) {
+    Material out = *input.material;
+    state(out, tables);
+    return out;
+  }
   return read_material_file(input.path, input.file, tables, id);
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text/ascii.h"
+#include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
 #include "core/exchange/table_columns.h"
 #include "core/material/limits.h"
@@ -415,7 +416,25 @@ TableOptions table_options(const TableSettings& settings) {
   };
   out.duplicates =
       setting_value("duplicates", settings.duplicates, out.duplicates, duplicates, "refuse, first or mean");
+  if (!settings.material_class.empty() && !is_class(settings.material_class))
+    throw Error::at(
+        setting("class"), printable(settings.material_class),
+        joined(material_classes) +
+            did_you_mean(settings.material_class, {material_classes.begin(), material_classes.end()}));
+  out.material_class = settings.material_class;
+  if (!settings.origin.empty())
+    out.origin = setting_value("origin", settings.origin, Origin::unknown, origin_named,
+                               "measured, fit, computed or unknown");
   return out;
+}
+
+void state(Material& material, const TableOptions& options) {
+  if (!options.material_class.empty()) {
+    material.material_class = options.material_class;
+    material.class_by = ClassBy::stated;
+  }
+  if (options.origin)
+    for (Dataset& dataset : material.datasets) dataset.origin = *options.origin;
 }
 
 }  // namespace etak

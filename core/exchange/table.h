@@ -20,21 +20,28 @@ double to_nm(double value, WavelengthUnit unit);
 
 enum class Duplicates { refuse, first, mean };
 
-/// What a table does not say itself.
+/// What a table does not say itself. Class and origin stand in place of what any input says of them.
 struct TableOptions {
   std::optional<WavelengthUnit> unit;  // wins over the header; needed when the header names none
   std::vector<std::string> columns;  // names of the columns ("wavelength,n,k"), when there is no header: then
                                      // the first line is data; "_" skips a column
   Duplicates duplicates = Duplicates::refuse;
+  std::string material_class;  // empty: that of the input, or by its numbers (decide_class())
+  std::optional<Origin> origin;
+
+  bool states() const { return !material_class.empty() || origin; }
 };
 
 /// The same as a person writes it: options of a command line, keywords of a call. `columns` has ',' between;
 /// empty texts stand for the default.
 struct TableSettings {
-  std::string unit, columns, duplicates = "refuse";
+  std::string unit, columns, duplicates = "refuse", material_class, origin;
 };
 /// The settings as values. Throws Error that names the setting and what it takes.
 TableOptions table_options(const TableSettings& settings);
+
+/// Gives a material the class and the origin of the options, where they have one.
+void state(Material& material, const TableOptions& options);
 
 /// The data of a table, and what is odd about them.
 struct Table {

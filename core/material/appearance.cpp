@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/number.h"
+#include "core/material/names.h"
 #include "core/spectrum/integration.h"
 #include "core/spectrum/interpolate.h"
 
@@ -18,16 +19,6 @@ namespace {
 
 constexpr double least_passing = 0.5, nearly_all = 0.999;
 constexpr std::array<double, 4> depths_m{1, 0.1, 0.01, clear_depth_m};
-
-// Bodies of which n alone is published and that are known not to let light through.
-struct OpaqueRow {
-  std::string_view material, dataset, reason;
-};
-constexpr std::array opaque_rows{
-    OpaqueRow{"blood", "liu-2019-whole",
-              "its cells scatter and absorb light, of which the dataset, n alone, says nothing"},
-    OpaqueRow{"adipose_tissue", "yanina-2019",
-              "tissue scatters light, of which the dataset, n alone, says nothing"}};
 
 const Quadrature& daylight() {
   static const Quadrature q = make_quadrature(Method::nm1, Viewing{});
@@ -105,11 +96,8 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
     out.reason = "the data are reflectance: what the body absorbs is not known";
     return out;
   }
-  for (const OpaqueRow& row : opaque_rows)
-    if (material.id == row.material && dataset.id == row.dataset) {
-      out.reason = row.reason;
-      return out;
-    }
+  out.reason = material.body.empty() ? alias_note(material.bodies, dataset.id) : material.body;
+  if (!out.reason.empty()) return out;
   std::optional<std::array<double, grid_size>> k = visible_k(dataset);
   double through = k ? passing(*k, clear_depth_m)[1] : 0;
   if (k && through < least_passing) {
@@ -146,6 +134,10 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
   out.depth_m = depth;
   out.color = to_rgb(xyz_to_rgb(space, white, white) * xyz);
   return out;
+}
+
+std::string black_body_remark(const Clarity& body) {
+  return "the body is taken as black: " + body.reason + "; light scattered inside is in no n and k";
 }
 
 bool is_clear_body(const Material& material, const Dataset& dataset, const LinearRgb& diffuse) {

@@ -18,7 +18,7 @@ namespace etak {
 ///             by its k; one whose dataset has no k over half of the visible weight. Its colour then is by
 ///             the least absorbing k of the material's other datasets, where that lets half pass too (films
 ///             absorb more than bodies). Conductors, semiconductors, `surface` data, dielectrics of which
-///             only the reflectance is known, and blood and fat, whose cells no n and k tell, are not.
+///             only the reflectance is known, and bodies of which the material says why not (Material::bodies), are not.
 ///   reason    why it is or is not, for people
 ///   color     what D65 becomes over `depth_m` by exp(-4 pi k depth / wavelength), linear; white where
 ///             depth_m is 0
@@ -32,6 +32,9 @@ struct Clarity {
 };
 inline constexpr double clear_depth_m = 1e-3;
 Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space = RgbSpace::srgb);
+
+/// The remark about a dielectric's body that is not clear and has no diffuse colour.
+std::string black_body_remark(const Clarity& body);
 
 /// Whether a surface shows a clear body: the material has one, and no diffuse colour was put into it.
 bool is_clear_body(const Material& material, const Dataset& dataset, const LinearRgb& diffuse);

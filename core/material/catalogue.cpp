@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/setting.h"
 #include "core/base/text/ascii.h"
+#include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
@@ -21,16 +24,24 @@ bool is_one_of(const std::string& material_class, std::span<const std::string> c
 }  // namespace
 
 std::vector<CatalogueEntry> catalogue(const MaterialLibrary& library, const F0Solver& solver,
-                                      unsigned threads) {
+                                      unsigned threads, bool axis_average) {
   std::vector<CatalogueEntry> out(library.ids().size());
   parallel_chunks(out.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) {
       out[i].material = library.at(i);
       const Dataset& dataset = out[i].material.preferred_dataset();
-      out[i].result = solve(solver, out[i].material, dataset);
+      out[i].result = solve_averaged(axis_average, solver, out[i].material, dataset);
     }
   });
   return out;
+}
+
+void check_classes(std::span<const std::string> classes) {
+  for (const std::string& each : classes)
+    if (std::find(material_classes.begin(), material_classes.end(), each) == material_classes.end())
+      throw Error::at(
+          setting("class"), printable(each),
+          joined(material_classes) + did_you_mean(each, {material_classes.begin(), material_classes.end()}));
 }
 
 std::string quality_text(const CatalogueEntry& entry) {
@@ -70,10 +81,10 @@ std::vector<NearMaterial> nearest_materials(std::span<const CatalogueEntry> entr
 NameAnswer answer_name(const MaterialLibrary& library, const F0Solver& solver, const std::string& name) {
   NameAnswer out;
   out.asked = name;
-  if (const auto found = library.look_up(name)) {
-    out.material = library.at(found->index);
-    out.by = found->kind;
-    out.note = alias_note(*out.material, name);
+  if (auto answer = library.answer(name)) {
+    out.material = std::move(answer->material);
+    out.by = answer->by;
+    out.note = std::move(answer->note);
     const Dataset& dataset = out.material->preferred_dataset();
     out.refusal = solver.solve(dataset.optics, dataset.flags).refusal;
     return out;

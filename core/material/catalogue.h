@@ -23,11 +23,15 @@ struct CatalogueEntry {
 };
 
 /// All materials of the library in the order of their ids, solved on `threads` threads.
+///   axis_average   crystals as random grains: solve_averaged() (quality.h)
 std::vector<CatalogueEntry> catalogue(const MaterialLibrary& library, const F0Solver& solver,
-                                      unsigned threads);
+                                      unsigned threads, bool axis_average = false);
 
 /// quality_text() of the preferred dataset: its kind, and what makes it doubtful.
 std::string quality_text(const CatalogueEntry& entry);
+
+/// Throws Error (naming the setting "class") for a class that no material can have.
+void check_classes(std::span<const std::string> classes);
 
 /// Which entries are wanted: all of what is given must hold.
 ///   classes   one of these; empty: any

@@ -8,10 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/once.h"
 #include "core/base/setting.h"
 #include "core/base/spares.h"
 #include "core/material/coverage.h"
@@ -97,7 +97,9 @@ void set_outside(const OpticalConstants& medium, F0Setup& setup) {
   if (most > 0) setup.outside_flags.set(Flag::outside_absorption_ignored);
 }
 
-F0Setup setup_of(F0Options options) {
+}  // namespace
+
+F0Setup f0_setup(F0Options options) {
   F0Setup out;
   out.options = std::move(options);
   const F0Options& o = out.options;
@@ -116,20 +118,24 @@ F0Setup setup_of(F0Options options) {
   return out;
 }
 
-}  // namespace
+std::string coverage_refusal(const F0Setup& setup, Range range, const Coverage& coverage) {
+  if (covers_enough(coverage.weight[1]) || setup.options.allow_extrapolation) return {};
+  return "data cover " + number(coverage.weight[1], 4) + " of the Y weight (" + number(range.first_nm, 6) +
+         "-" + number(range.last_nm, 6) + " nm), " + number(least_coverage, 4) + " needed";
+}
 
 struct F0Solver::State {
   const F0Setup setup;
   mutable Spares<F0Spectra> rooms;
 
   // Made when it is first needed: few data are finer than the reference grid.
-  mutable std::once_flag refinement_made;
+  mutable Once refinement_made;
   mutable std::optional<Refinement> lazy_refinement;
 
-  explicit State(F0Options options) : setup(setup_of(std::move(options))) {}
+  explicit State(F0Options options) : setup(f0_setup(std::move(options))) {}
 
   const Refinement& refinement() const {
-    std::call_once(refinement_made, [&] { lazy_refinement.emplace(setup.options.viewing); });
+    refinement_made.call([&] { lazy_refinement.emplace(setup.options.viewing); });
     return *lazy_refinement;
   }
 
@@ -223,12 +229,8 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   result.flags = data_flags;
   result.flags |= setup.outside_flags;
   result.flags |= flags_of_data(optics, result.coverage);
-  if (!covers_enough(result.coverage.weight[1]) && !setup.options.allow_extrapolation) {
-    result.refusal = "data cover " + number(result.coverage.weight[1], 4) + " of the Y weight (" +
-                     number(range.first_nm, 6) + "-" + number(range.last_nm, 6) + " nm), " +
-                     number(least_coverage, 4) + " needed";
-    return result;
-  }
+  result.refusal = coverage_refusal(setup, range, result.coverage);
+  if (result.refused()) return result;
 
   const auto reflect = [&](const Quadrature& at) -> std::span<const double> {
     room.resize(at.wavelength_nm.size());

@@ -37,9 +37,10 @@ std::string policy(const F0Options& o) {
   if (samples_rgb(o.method)) {
     text += " (three samples as red, green, blue)";
   } else {
-    text += ", 360-830 nm; CIE ";
-    text += o.viewing.observer == Observer::cie1931_2deg ? "1931 2" : "1964 10";
-    text.append("-degree observer; illuminant ").append(name(o.viewing.illuminant));
+    text += o.viewing.observer == Observer::cie1931_2deg    ? ", 360-830 nm; CIE 1931 2-degree"
+            : o.viewing.observer == Observer::cie1964_10deg ? ", 360-830 nm; CIE 1964 10-degree"
+                                                            : ", 360-830 nm; own";
+    text.append(" observer; illuminant ").append(name(o.viewing.illuminant));
     text += "; white is the same sum for R = 1";
   }
   text.append("; outside medium ").append(o.outside.label);

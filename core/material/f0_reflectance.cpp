@@ -13,9 +13,12 @@ namespace {
 // n or k at the nodes of q.
 void values_at(const F0Setup& setup, const Spectrum& table, const Quadrature& q, std::span<double> out) {
   if (&q == &setup.quadrature && setup.options.method == Method::nm1 &&
-      setup.options.interpolation == Interpolation::linear)
-    resample_to_grid(table, out.subspan<0, grid_size>());
-  else
+      setup.options.interpolation == Interpolation::linear) {
+    if (table.wavelength_nm == q.wavelength_nm)
+      std::copy(table.value.begin(), table.value.end(), out.begin());
+    else
+      resample_to_grid(table, out.subspan<0, grid_size>());
+  } else
     resample(table, setup.options.interpolation, q.wavelength_nm, out);
 }
 
@@ -70,7 +73,7 @@ std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Qua
   divide_by_outside(setup, q, room.n, room.k);
   watch.lap(timing.interpolate);
   f64::f0(room.n, room.k, room.r0);
-  f64::fresnel_exact(room.n, room.k, f82_cosine, room.r82);
+  if (!room.r82.empty()) f64::fresnel_exact(room.n, room.k, f82_cosine, room.r82);
   watch.lap(timing.fresnel);
   return {};
 }

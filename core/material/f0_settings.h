@@ -14,6 +14,7 @@ namespace etak {
 struct F0Settings {
   std::string observer, illuminant, interpolation, method, integration_bound, space, ocio, outside;
   bool allow_extrapolation = false;
+  bool axis_average = false;  // crystals as random grains: solve_averaged() (quality.h)
   friend bool operator==(const F0Settings&, const F0Settings&) = default;
 };
 

@@ -34,6 +34,12 @@ struct F0Setup {
   bool needs_knots() const { return exact() || options.method == Method::automatic; }
 };
 
+/// Throws Error as the constructor of F0Solver does.
+F0Setup f0_setup(F0Options options);
+
+/// Why data of that range have no colour; empty: they have.
+std::string coverage_refusal(const F0Setup& setup, Range range, const Coverage& coverage);
+
 /// Room for the spectra of one thread: kept between calls, so that a database run allocates once.
 struct F0Spectra {
   std::vector<double> n, k, r0, r82, mixed0, mixed82;
@@ -48,6 +54,7 @@ void index_at(const F0Setup& setup, const OpticalConstants& optics, const Quadra
 
 /// Reflectance at the nodes of `q` into `room`, which has their size: r0 at normal incidence and, of optical
 /// constants, r82 at cos 1/7.
+///   room      with an empty r82 none is computed
 ///   returns   why the data do not allow it; empty: they do
 std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Quadrature& q, F0Spectra& room,
                            Stopwatch& watch, F0Timing& timing);

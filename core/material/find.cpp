@@ -16,7 +16,7 @@ void fail_unknown_name(const MaterialLibrary& library, std::string_view text, co
   std::string expected(words.instead);
   if (!expected.empty() && !missing.expected.empty()) expected += ", or ";
   expected += missing.expected;
-  if (expected.empty()) expected = "a name that etak list shows";
+  if (expected.empty() && missing.found.empty()) expected = "a name that etak list shows";
   if (words.place.empty())
     throw Error::at(shown, missing.found.empty() ? words.found : missing.found, expected);
   throw Error::at(
@@ -26,13 +26,13 @@ void fail_unknown_name(const MaterialLibrary& library, std::string_view text, co
 }
 
 std::optional<NamedMaterial> find_material(const MaterialLibrary& library, std::string_view text) {
-  if (auto material = library.find(text)) return NamedMaterial{std::move(*material), std::string(text), {}};
+  if (auto answer = library.answer(text)) return NamedMaterial{std::move(*answer), std::string(text), {}};
   const std::size_t slash = text.find('/');
   if (slash == text.npos) return std::nullopt;
   const std::string_view name = text.substr(0, slash);
-  auto material = library.find(name);
-  if (!material) return std::nullopt;
-  return NamedMaterial{std::move(*material), std::string(name), std::string(text.substr(slash + 1))};
+  auto answer = library.answer(name);
+  if (!answer) return std::nullopt;
+  return NamedMaterial{std::move(*answer), std::string(name), std::string(text.substr(slash + 1))};
 }
 
 FoundDataset find_dataset(const MaterialLibrary& library, std::string_view name, std::string_view dataset,
@@ -58,8 +58,9 @@ OutsideMedium outside_medium(const MaterialLibrary& library, std::string_view te
     return out;
   }
   const auto found = find_material(library, text);
-  if (!found) fail_unknown_name(library, text, words);
-  const Dataset& dataset = dataset_named(found->material, found->dataset, place + ": " + found->material.id);
+  if (!found || found->answer.by == NameKind::qualified) fail_unknown_name(library, text, words);
+  const Material& material = found->answer.material;
+  const Dataset& dataset = dataset_named(material, found->dataset, place + ": " + material.id);
   const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
   if (constants == nullptr)
     throw Error::at(place, printable(text) + " has reflectance data only", "n of a transparent medium");

@@ -31,15 +31,16 @@ struct NameWords {
                                     const NameWords& words);
 
 /// A material by the text that asks for it.
-///   name      the text without the dataset: an id, name, alias or formula
+///   name      the text without the dataset: an id, name, alias or formula, maybe with qualifiers
 ///   dataset   what stands behind a '/', as dataset_named() takes it; empty: the preferred one
+///   answer    what the library says to the name
 struct NamedMaterial {
-  Material material;
+  LibraryAnswer answer;
   std::string name, dataset;
 };
 
 /// "gold", "Au" or "gold/johnson": the whole text is looked up first, then what stands before its first '/'.
-/// Nothing where no material has the name.
+/// Nothing where the library has no answer to the name.
 std::optional<NamedMaterial> find_material(const MaterialLibrary& library, std::string_view text);
 
 /// One dataset and the material that it belongs to.
@@ -57,7 +58,8 @@ FoundDataset find_dataset(const MaterialLibrary& library, std::string_view name,
                           const NameWords& words);
 
 /// The medium in front of a surface: an index of refraction above 0, or a material ("water", "water/hale")
-/// that n is known of; vacuum for an empty text. Throws Error for a text that is none of these.
+/// that n is known of, without qualifiers; vacuum for an empty text. Throws Error for a text that is none of
+/// these.
 ///   place   of the text, such as setting("outside")
 ///   words   of names that no material has
 OutsideMedium outside_medium(const MaterialLibrary& library, std::string_view text, const std::string& place,

@@ -11,6 +11,7 @@
 #include "core/material/limits.h"
 #include "core/material/material_node_json.h"
 #include "core/material/medium.h"
+#include "core/material/optics_class.h"
 
 namespace etak {
 namespace {
@@ -138,10 +139,11 @@ Dataset read_dataset(const Node& node) {
   d.id = node.at("id").text();
   if (!is_made_of(d.id, "abcdefghijklmnopqrstuvwxyz0123456789-."))
     node.at("id").fail_type("a-z, 0-9, - and . only");
-  const Node origin = node.at("origin");
-  const auto known = origin_named(origin.text());
-  if (!known) origin.fail_type("measured, fit or computed");
-  d.origin = *known;
+  if (node.has("origin")) {
+    const auto known = origin_named(node.at("origin").text());
+    if (!known) node.at("origin").fail_type("measured, fit, computed or unknown");
+    d.origin = *known;
+  }
   d.sample = node.at("sample").text();
   if (node.has("temperature_kelvin")) d.temperature_kelvin = node.at("temperature_kelvin").number();
   d.axis = node.text_or_empty("axis");
@@ -269,13 +271,16 @@ std::string dataset_json(const Dataset& d) {
   return json_object(out, 4);
 }
 
-std::vector<AliasNote> read_alias_notes(const Node& node, const Material& m) {
+// Notes by a name of the material, or by the id of a dataset where `datasets` says so.
+std::vector<AliasNote> read_alias_notes(const Node& node, const Material& m, bool datasets) {
   node.expect_object();
   std::vector<AliasNote> out;
   for (const auto& [alias, ignored] : node.value.items()) {
     if (alias != m.id && alias != m.name &&
-        std::find(m.aliases.begin(), m.aliases.end(), alias) == m.aliases.end())
-      node.fail("a note on " + in_quotes(alias), "the id, the name or an alias of the material");
+        std::find(m.aliases.begin(), m.aliases.end(), alias) == m.aliases.end() &&
+        !(datasets && m.dataset(alias)))
+      node.fail("a note on " + in_quotes(alias), std::string("the id, the name or an alias of the material") +
+                                                     (datasets ? ", or the id of a dataset" : ""));
     const std::string note = node.at(alias).text();
     if (note.empty()) node.at(alias).fail_type("a sentence");
     out.push_back({alias, note});
@@ -287,11 +292,17 @@ std::vector<AliasNote> read_alias_notes(const Node& node, const Material& m) {
 
 Material parse_material(std::string_view text, std::string_view file) {
   const JsonDocument document = parse_json_strictly(text, file, most_depth, "a material file");
-  return read_material(Node{document, file, ""});
+  const Node root{document, file, ""};
+  // What `etak show --format json` writes holds the material of a file.
+  const bool shown = root.value.is_object() && root.has("schema") && root.value["schema"] == "etak-show/1";
+  return read_material(shown ? root.at("material") : root);
 }
 
 Material read_material(const Node& node) {
-  node.expect_object({"schema", "id", "name", "aliases", "alias_notes", "class", "group", "common",
+  if (node.value.is_object() && !node.has("schema"))
+    node.fail("is no etak material: it has no field \"schema\"",
+              "\"" + std::string(schema_name) + "\" in it");
+  node.expect_object({"schema", "id", "name", "aliases", "alias_notes", "bodies", "class", "group", "common",
                       "preferred", "preferred_reason", "datasets"});
   if (node.at("schema").text() != schema_name)
     node.at("schema").fail_type("\"" + std::string(schema_name) + "\"");
@@ -306,10 +317,10 @@ Material read_material(const Node& node) {
     node.at("name").fail("a name of " + std::to_string(m.name.size()) + " bytes",
                          "at most " + std::to_string(most_name_bytes));
   m.aliases = node.at("aliases").texts();
-  m.material_class = node.at("class").text();
-  if (std::find(material_classes.begin(), material_classes.end(), m.material_class) == material_classes.end())
-    node.at("class").fail_type("a known class");
-  if (node.has("alias_notes")) m.alias_notes = read_alias_notes(node.at("alias_notes"), m);
+  const bool stated = node.has("class");
+  if (stated) m.material_class = node.at("class").text();
+  if (stated && !is_class(m.material_class)) node.at("class").fail_type("a known class");
+  if (node.has("alias_notes")) m.alias_notes = read_alias_notes(node.at("alias_notes"), m, false);
   m.group = node.text_or_empty("group");
   if (node.has("group") && !is_made_of(m.group, "abcdefghijklmnopqrstuvwxyz"))
     node.at("group").fail_type("a word of a-z");
@@ -327,6 +338,8 @@ Material read_material(const Node& node) {
   if (!chosen) node.at("preferred").fail_type("the id of a dataset");
   m.preferred = static_cast<std::size_t>(chosen - m.datasets.data());
   m.preferred_reason = node.at("preferred_reason").text();
+  if (node.has("bodies")) m.bodies = read_alias_notes(node.at("bodies"), m, true);
+  if (!stated) decide_class(m);
   return m;
 }
 
@@ -335,12 +348,14 @@ std::string format_material(const Material& m) {
               {"id", json(m.id)},
               {"name", json(m.name)},
               {"aliases", json_array_of(m.aliases)}};
-  if (!m.alias_notes.empty()) {
+  const auto add_notes = [&](const char* key, const std::vector<AliasNote>& all) {
     Members notes;
-    for (const AliasNote& each : m.alias_notes) notes.push_back({each.alias, json(each.note)});
-    out.push_back({"alias_notes", json_object(notes, 2)});
-  }
-  out.push_back({"class", json(m.material_class)});
+    for (const AliasNote& each : all) notes.push_back({each.alias, json(each.note)});
+    if (!all.empty()) out.push_back({key, json_object(notes, 2)});
+  };
+  add_notes("alias_notes", m.alias_notes);
+  add_notes("bodies", m.bodies);
+  if (m.class_by == ClassBy::stated) out.push_back({"class", json(m.material_class)});
   if (!m.group.empty()) out.push_back({"group", json(m.group)});
   if (m.common) out.push_back({"common", json(true)});
   out.push_back({"preferred", json(m.preferred_dataset().id)});

@@ -16,6 +16,7 @@
 #include "core/material/embedded/library_words.h"
 #include "core/material/json.h"
 #include "core/material/names.h"
+#include "core/material/qualifiers.h"
 
 namespace etak {
 namespace {
@@ -48,7 +49,7 @@ std::vector<std::string> json_files(const std::string& folder, std::vector<std::
 }  // namespace
 
 std::string_view name(NameKind kind) {
-  constexpr std::array<std::string_view, 4> names{"id", "name", "alias", "formula"};
+  constexpr std::array<std::string_view, 5> names{"id", "name", "alias", "formula", "qualified"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -131,17 +132,57 @@ std::optional<FoundName> MaterialLibrary::look_up(std::string_view name) const {
 std::optional<Material> MaterialLibrary::find(std::string_view name) const {
   const auto found = look_up(name);
   if (!found) return std::nullopt;
-  return at(found->index);
+  Material out = at(found->index);
+  out.body = alias_note(out.bodies, name);
+  return out;
+}
+
+// What is left of a name without its qualifiers: a material and what the qualifiers change, or a thing
+// without a measurement.
+struct MaterialLibrary::Base {
+  std::optional<LibraryAnswer> answer;
+  const Unmeasured* thing = nullptr;
+};
+
+MaterialLibrary::Base MaterialLibrary::base_of(std::string_view name) const {
+  Base out;
+  for (const NameWithQualifiers& each : qualified_names(name)) {
+    const Unmeasured* const thing = unmeasured_word(each.base);
+    std::string base = each.base;
+    if (thing == nullptr && !look_up(base)) continue;
+    for (const auto& [word, qualifier] : each.words)
+      if (!qualifier->seen.empty()) base = qualifier->seen;
+    if (const auto found = look_up(base)) {
+      LibraryAnswer answer{at(found->index), NameKind::qualified, {}};
+      const std::string changes = qualifier_note(each, answer.material);
+      if (changes.empty()) continue;
+      answer.note = answer.material.id + "; " + changes;
+      if (const std::string_view note = alias_note(answer.material.alias_notes, base); !note.empty())
+        append(answer.note, "; ", base, ": ", note);
+      answer.material.body = alias_note(answer.material.bodies, base);
+      return {std::move(answer), nullptr};
+    }
+    // A coffee table tells nothing of coffee.
+    const auto shape = [](const auto& word) { return word.second->of == Qualifier::Of::solids; };
+    if (out.thing == nullptr && std::none_of(each.words.begin(), each.words.end(), shape)) out.thing = thing;
+  }
+  return out;
+}
+
+std::optional<LibraryAnswer> MaterialLibrary::answer(std::string_view name) const {
+  if (const auto found = look_up(name)) {
+    LibraryAnswer out{at(found->index), found->kind, {}};
+    out.note = alias_note(out.material.alias_notes, name);
+    out.material.body = alias_note(out.material.bodies, name);
+    return out;
+  }
+  if (unmeasured_word(name) != nullptr) return std::nullopt;
+  return base_of(name).answer;
 }
 
 Material MaterialLibrary::at(std::size_t index) const {
   const Entry& e = entries_.at(index);
-  if (e.material) return *e.material;
-  Material m = decode_material(builtin_blob(), e.blob_offset);
-  m.id = e.id;
-  m.name = e.name;
-  m.aliases = e.aliases;
-  return m;
+  return e.material ? *e.material : decode_material(builtin_blob(), e.blob_offset);
 }
 
 std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::size_t count) const {
@@ -171,10 +212,13 @@ std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::siz
     best_of(e.id, names, true);
   }
   for (const Unmeasured& each : unmeasured_) best_of(each.words.front(), each.words, false);
+  // A word that leads to no measurement is worth a suggestion only where it is what was meant.
+  std::erase_if(ranked,
+                [](const Ranked& r) { return !r.measured && r.distance.kind == NameDistance::Kind::word; });
   std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
     return std::tie(a.distance, b.measured, a.id) < std::tie(b.distance, a.measured, b.id);
   });
-  // Where names begin with what was asked for or hold it, those with more than one wrong letter are left out.
+  // Where names share a word with what was asked for, those with more than one wrong letter are left out.
   if (!ranked.empty() && ranked.front().distance.kind != NameDistance::Kind::edits)
     std::erase_if(ranked, [](const Ranked& r) {
       return r.distance.kind == NameDistance::Kind::edits && r.distance.amount > 1;
@@ -193,6 +237,11 @@ std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::siz
 }
 
 const Unmeasured* MaterialLibrary::unmeasured(std::string_view word) const {
+  if (const Unmeasured* thing = unmeasured_word(word)) return thing;
+  return look_up(word) ? nullptr : base_of(word).thing;
+}
+
+const Unmeasured* MaterialLibrary::unmeasured_word(std::string_view word) const {
   const std::string key = folded_name(word);
   for (const Unmeasured& each : unmeasured_)
     for (const std::string& known : each.words)

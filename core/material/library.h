@@ -13,14 +13,21 @@
 
 namespace etak {
 
-/// By which of its names a material was found.
-enum class NameKind { id, name, alias, formula };
+/// By which of its names a material was found; qualified: by one of them with qualifiers around it.
+enum class NameKind { id, name, alias, formula, qualified };
 std::string_view name(NameKind kind);
 
 /// The material that a name means, and what kind of name of it that is.
 struct FoundName {
   std::size_t index = 0;  // into MaterialLibrary::ids()
   NameKind kind = NameKind::id;
+};
+
+/// What a name that a person typed is answered with.
+struct LibraryAnswer {
+  Material material;
+  NameKind by = NameKind::id;
+  std::string note;  // what must be said of the name: its alias_note(), and what its qualifiers change
 };
 
 /// A name that comes near to one that is not known.
@@ -54,13 +61,18 @@ class MaterialLibrary {
   std::optional<FoundName> look_up(std::string_view name) const;
   std::optional<Material> find(std::string_view name) const;
 
+  /// find(), and where no material has the name the one that is left when the words around it are set aside
+  /// that change something else than the material: "brushed aluminium". For names that a person asks for and
+  /// that the note is shown to; documents name materials exactly.
+  std::optional<LibraryAnswer> answer(std::string_view name) const;
+
   Material at(std::size_t index) const;
 
   /// Ids, names and aliases that come near to `name` (name_distance()), nearest first, each material once;
-  /// none where nothing is near. Words without a measurement are among them.
+  /// none where nothing is near. Words without a measurement are among them where they are merely misspelt.
   std::vector<Suggestion> suggest(std::string_view name, std::size_t count = 5) const;
 
-  /// The thing without a measurement that is called `word`; null: none is.
+  /// The thing without a measurement that is called `word`, which may have qualifiers; null: none is.
   const Unmeasured* unmeasured(std::string_view word) const;
 
   /// What a message says of a name that find() does not know. Of a word without a measurement: why, and what
@@ -81,6 +93,9 @@ class MaterialLibrary {
     std::size_t blob_offset = 0;        // into the built-in bytes, when material is empty
     std::optional<Material> material;
   };
+  struct Base;
+  Base base_of(std::string_view name) const;
+  const Unmeasured* unmeasured_word(std::string_view word) const;
   static Entry entry_of(std::string id, std::string name, std::vector<std::string> aliases);
   void insert(Entry entry);
 

@@ -45,7 +45,7 @@ constexpr std::array<FlagRow, flag_count> flag_rows{{
      "median of at least two other datasets"},
 }};
 
-constexpr std::array<std::string_view, 3> origin_names{"measured", "fit", "computed"};
+constexpr std::array<std::string_view, 4> origin_names{"measured", "fit", "computed", "unknown"};
 
 }  // namespace
 
@@ -70,6 +70,10 @@ std::optional<Origin> origin_named(std::string_view text) {
   const auto found = std::find(origin_names.begin(), origin_names.end(), text);
   if (found == origin_names.end()) return std::nullopt;
   return static_cast<Origin>(found - origin_names.begin());
+}
+
+bool is_class(std::string_view text) {
+  return std::find(material_classes.begin(), material_classes.end(), text) != material_classes.end();
 }
 
 std::string_view optical_kind(std::string_view material_class) {

@@ -113,7 +113,8 @@ struct Citation {
   friend bool operator==(const Citation&, const Citation&) = default;
 };
 
-enum class Origin { measured, fit, computed };
+/// unknown: the source does not say.
+enum class Origin { measured, fit, computed, unknown };
 std::string_view name(Origin origin);
 std::optional<Origin> origin_named(std::string_view text);
 
@@ -121,7 +122,7 @@ std::optional<Origin> origin_named(std::string_view text);
 struct Dataset {
   std::string id;  // unique within the material
   Optics optics;
-  Origin origin = Origin::measured;
+  Origin origin = Origin::unknown;
   std::string sample;  // state of the sample, in etak's words; may be empty
   std::optional<double> temperature_kelvin;
   std::string axis;  // "ordinary", "extraordinary", "alpha", "beta", "gamma"; empty: isotropic or unstated
@@ -137,9 +138,14 @@ inline constexpr std::array<std::string_view, 15> material_classes{
     "metal", "alloy",   "conductor", "semiconductor", "gem",   "mineral", "crystal", "salt",
     "glass", "plastic", "organic",   "liquid",        "solid", "gas",     "surface"};
 
+bool is_class(std::string_view text);
+
 /// "conductor" (metal, alloy, conductor), "semiconductor", "surface" (measured reflectance of everyday
 /// things) or "dielectric" (all the rest).
 std::string_view optical_kind(std::string_view material_class);
+
+/// Who says of which class a material is: its file or the user, the numbers (decide_class()), or nobody.
+enum class ClassBy : std::uint8_t { stated, numbers, nobody };
 
 /// What must be said where a material is asked for by one of its names: which steel "steel" is.
 struct AliasNote {
@@ -158,7 +164,12 @@ struct Material {
   std::string name;
   std::vector<std::string> aliases;
   std::vector<AliasNote> alias_notes;  // by alias
-  std::string material_class;
+  // Why a body is not seen through as its n and k would have it, by a name of the material, for who asks for it
+  // by that name (marble is calcite), or by the id of a dataset (blood).
+  std::vector<AliasNote> bodies;
+  std::string body;            // that of the name which was asked for; empty: none, or found by no name
+  std::string material_class;  // where nobody states it, that of decide_class()
+  ClassBy class_by = ClassBy::stated;
   std::string group;              // within the class, such as "wood"; may be empty
   bool common = false;            // as a surface so often seen that an unnamed F0 near it may be it (ETK101)
   std::vector<Dataset> datasets;  // at least one, ids unique

@@ -8,6 +8,7 @@
 #include "core/base/text/ascii.h"
 #include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
+#include "core/material/qualifiers.h"
 
 namespace etak {
 namespace {
@@ -22,8 +23,16 @@ constexpr std::array<std::string_view, 103> elements{
     "Re", "Rh", "Rn", "Ru", "S",  "Sb", "Sc", "Se", "Si", "Sm", "Sn", "Sr", "Ta", "Tb", "Tc",
     "Te", "Th", "Ti", "Tl", "Tm", "U",  "V",  "W",  "Xe", "Y",  "Yb", "Zn", "Zr"};
 
-bool separates(char c) {
-  return c == ' ' || c == '-' || c == '_' || c == ',' || c == '(' || c == ')';
+constexpr std::string_view between_words = " ,()", between_parts = " ,()-_";
+
+std::vector<std::string_view> split(std::string_view name, std::string_view separators) {
+  std::vector<std::string_view> out;
+  for (std::size_t at = name.find_first_not_of(separators); at != name.npos;) {
+    const std::size_t end = std::min(name.find_first_of(separators, at), name.size());
+    out.push_back(name.substr(at, end - at));
+    at = name.find_first_not_of(separators, end);
+  }
+  return out;
 }
 
 // Letters of the element that `text` begins with, the longer symbol first ("Co" before "C"); 0: none.
@@ -34,33 +43,21 @@ std::size_t element_size(std::string_view text) {
   return 0;
 }
 
-std::vector<std::string> folded_words(std::string_view name) {
-  std::vector<std::string> out;
-  for (std::size_t i = 0; i < name.size();) {
-    std::size_t end = i;
-    while (end < name.size() && !separates(name[end])) ++end;
-    if (end > i) out.push_back(folded_name(name.substr(i, end - i)));
-    i = end + 1;
-  }
+// Letters of the words that two names share, those without meaning of their own left out. Lime is no word of
+// "soda-lime".
+std::size_t shared_letters(std::string_view asked, std::string_view known) {
+  constexpr std::size_t least_word = 3;
+  const std::vector<std::string_view> words = split(known, between_words);
+  const auto is = [](std::string_view a, std::string_view b) {
+    return lower_case(a.front()) == lower_case(b.front()) && folded_name(a) == folded_name(b);
+  };
+  std::size_t out = 0;
+  for (const std::string_view word : words_of(asked))
+    if (word.size() >= least_word &&
+        std::any_of(words.begin(), words.end(), [&](std::string_view other) { return is(other, word); }) &&
+        qualifier(word) == nullptr)
+      out += word.size();
   return out;
-}
-
-// Letters of the longest run of whole words of `asked` that is `known`; 0: none.
-std::size_t run_of_words(const std::vector<std::string>& asked, std::string_view known) {
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    std::string run;
-    for (std::size_t j = i; j < asked.size() && run.size() < known.size(); ++j) run += asked[j];
-    if (run == known) return run.size();
-  }
-  return 0;
-}
-
-std::size_t allowed_edits(std::string_view asked, std::string_view known) {
-  const std::size_t size = asked.size();
-  if (size < 3) return 0;
-  std::size_t allowed = size <= 4 ? 1 : size <= 7 ? 2 : size / 3;
-  if (known.empty() || asked.front() != known.front()) allowed = std::max<std::size_t>(allowed - 1, size > 3);
-  return allowed + std::is_permutation(asked.begin(), asked.end(), known.begin(), known.end());
 }
 
 std::string ids_of(const std::vector<const Dataset*>& datasets) {
@@ -76,6 +73,10 @@ std::string folded_name(std::string_view name) {
     out.push_back(lower_case(c));
   }
   return out;
+}
+
+std::vector<std::string_view> words_of(std::string_view name) {
+  return split(name, between_parts);
 }
 
 std::string identifier(std::string_view text, char separator, std::string_view otherwise) {
@@ -112,22 +113,19 @@ bool is_formula(std::string_view name) {
 
 std::optional<NameDistance> name_distance(std::string_view asked_name, std::string_view known_name) {
   using Kind = NameDistance::Kind;
+  if (asked_name.size() > longest_suggested) return std::nullopt;
+  constexpr std::size_t least_edited = 3, least_of_two_edits = 8;
   const std::string asked = folded_name(asked_name), known = folded_name(known_name);
   if (asked.empty() || known.empty()) return std::nullopt;
   if (asked == known) return NameDistance{Kind::same, 0};
-  constexpr std::size_t least_prefix = 2, least_part = 3;
-  const std::size_t more = known.size() > asked.size() ? known.size() - asked.size() : 0;
-  if (asked.size() >= least_prefix && known.starts_with(asked)) return NameDistance{Kind::prefix, more};
-  if (asked.size() >= least_part) {
-    for (const std::string& word : folded_words(known_name))
-      if (word.starts_with(asked)) return NameDistance{Kind::word, more};
-    if (known.size() >= least_part)
-      if (const std::size_t run = run_of_words(folded_words(asked_name), known); run > 0)
-        return NameDistance{Kind::word, asked.size() - run};
-    if (known.find(asked) != known.npos) return NameDistance{Kind::substring, more};
-  }
+  if (const std::size_t shared = shared_letters(asked_name, known_name); shared > 0)
+    return NameDistance{Kind::word,
+                        asked.size() + known.size() - 2 * std::min({shared, asked.size(), known.size()})};
+  if (asked.size() < least_edited || asked.front() != known.front()) return std::nullopt;
+  const std::size_t most = asked.size() < least_of_two_edits ? 1 : 2;
+  if (asked.size() > known.size() + most || known.size() > asked.size() + most) return std::nullopt;
   const std::size_t edits = edit_distance(asked, known);
-  if (edits > allowed_edits(asked, known)) return std::nullopt;
+  if (edits > most) return std::nullopt;
   return NameDistance{Kind::edits, edits};
 }
 
@@ -157,9 +155,9 @@ const Dataset& dataset_named(const Material& material, std::string_view text, st
   return *found.front();
 }
 
-std::string_view alias_note(const Material& material, std::string_view name) {
+std::string_view alias_note(const std::vector<AliasNote>& notes, std::string_view name) {
   const std::string key = folded_name(name);
-  for (const AliasNote& each : material.alias_notes)
+  for (const AliasNote& each : notes)
     if (folded_name(each.alias) == key) return each.note;
   return {};
 }

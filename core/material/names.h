@@ -15,6 +15,9 @@ namespace etak {
 /// A name without what does not matter in a look-up: case, blanks, '-' and '_'.
 std::string folded_name(std::string_view name);
 
+/// The words of a name, views into it: blanks, '-', '_', ',' and brackets separate them.
+std::vector<std::string_view> words_of(std::string_view name);
+
 /// An id made of a text: ASCII letters in lower case and digits, one `separator` for whatever stands between
 /// them. `otherwise` where the text has neither.
 std::string identifier(std::string_view text, char separator, std::string_view otherwise);
@@ -31,21 +34,19 @@ bool is_formula(std::string_view name);
 /// How near a name comes to the one asked for; less is nearer.
 struct NameDistance {
   /// In which way the names are alike, the nearest first.
-  enum class Kind { same, prefix, word, substring, edits };
+  enum class Kind { same, word, edits };
   Kind kind = Kind::same;
-  std::size_t amount = 0;  // letters that are not asked for, or edits
+  std::size_t amount = 0;  // letters that only one of them has, or edits
   friend auto operator<=>(const NameDistance&, const NameDistance&) = default;
 };
 
-/// Nothing where `known` does not come near enough to `asked` to be worth a suggestion. Both may have any
-/// case; blanks, '-' and '_' separate words.
-///   same        written alike but for case: a formula in another case
-///   prefix      `known` begins with what was asked for: "bronze" and "bronze_commercial"
-///   word        a word of `known` begins with it ("steel", "stainless steel"), or `known` is a word of it
-///   substring   `known` holds it
-///   edits       few letters are wrong: none of 2, 1 of 3 or 4, 2 of 5 to 7, a third of 8 and more;
-///               one less where the first letter is wrong, but 1 of 4 and more; one more where the
-///               letters are the same in another order
+/// Nothing where `known` does not come near enough to `asked` to be worth a suggestion, and where `asked` has more
+/// than 100 bytes.
+///   same    written alike but for case: a formula in another case
+///   word    a whole word of three letters or more is in both ("steel", "stainless steel"), which is no
+///           qualifier()
+///   edits   the first letter is the same, and one letter is wrong, missing or too much, or two neighbours
+///           are exchanged; of eight letters and more two such mistakes, of two letters none
 std::optional<NameDistance> name_distance(std::string_view asked, std::string_view known);
 
 /// The datasets of `material` that `text` names: an id, the unique beginning of one, or with a '*' at the end
@@ -58,7 +59,7 @@ std::vector<const Dataset*> datasets_named(const Material& material, std::string
 /// The same for one dataset; the preferred one where `text` is empty.
 const Dataset& dataset_named(const Material& material, std::string_view text, std::string_view label);
 
-/// What must be said where `material` is asked for as `name`, a view into it; empty: nothing.
-std::string_view alias_note(const Material& material, std::string_view name);
+/// What `notes` of a material say where it is asked for as `name`, a view into them; empty: nothing.
+std::string_view alias_note(const std::vector<AliasNote>& notes, std::string_view name);
 
 }  // namespace etak

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/base/number.h"
+#include "core/material/axes.h"
 #include "core/material/f0_data.h"
 
 namespace etak {
@@ -67,12 +69,44 @@ F0Result solve(const F0Solver& solver, const Material& material, const Dataset& 
   Flags flags = quality_flags(material, dataset);
   flags |= dataset.flags;
   F0Result result = solver.solve(dataset.optics, flags, timing);
-  if (!gives_f0(material.material_class)) {
-    result.zone.reset();
-    result.channel_in_zone = {};
-    result.flags.clear(Flag::channel_in_zone);
-  }
+  if (!gives_f0(material.material_class)) drop_zone(result);
   return result;
+}
+
+std::optional<AxisAverage> average_over_axes(const F0Solver& solver, const Material& material,
+                                             const Dataset& dataset) {
+  const std::vector<AxisDataset> axes = axis_datasets(material, dataset);
+  if (axes.empty()) return std::nullopt;
+  AxisAverage out;
+  std::vector<F0Solver::Part> parts;
+  Flags flags;
+  for (const AxisDataset& axis : axes) {
+    if (axis.dataset == nullptr) {
+      out.result.refusal = "no average over axes: " + material.id + " lacks another axis of " + dataset.id;
+      out.result.flags = dataset.flags;
+      return out;
+    }
+    parts.push_back({&axis.dataset->optics, axis.weight});
+    flags |= axis.dataset->flags;
+    flags |= quality_flags(material, *axis.dataset);
+    if (out.doubt.empty()) out.doubt = doubt(material, *axis.dataset);
+    out.datasets += (out.datasets.empty() ? "" : " + ") + axis.dataset->id;
+  }
+  out.result = solver.solve(parts, flags);
+  return out;
+}
+
+F0Result solve_averaged(bool averaged, const F0Solver& solver, const Material& material,
+                        const Dataset& dataset) {
+  if (averaged)
+    if (auto average = average_over_axes(solver, material, dataset)) return std::move(average->result);
+  return solve(solver, material, dataset);
+}
+
+void drop_zone(F0Result& result) {
+  result.zone.reset();
+  result.channel_in_zone = {};
+  result.flags.clear(Flag::channel_in_zone);
 }
 
 std::string quality_text(Origin origin, Flags flags) {

@@ -32,6 +32,26 @@ Flags quality_flags(const Material& material, const Dataset& dataset);
 F0Result solve(const F0Solver& solver, const Material& material, const Dataset& dataset,
                F0Timing* timing = nullptr);
 
+/// F0 of a crystal whose grains lie every way: the average over its optical axes.
+///   datasets   ids of those averaged, with " + " between
+///   doubt      that of the first doubtful one; empty: none
+struct AxisAverage {
+  F0Result result;
+  std::string datasets, doubt;
+};
+
+/// The average over the axes of the crystal that `dataset` describes one axis of; refused where the material
+/// lacks another axis. Nothing for a dataset without axis.
+std::optional<AxisAverage> average_over_axes(const F0Solver& solver, const Material& material,
+                                             const Dataset& dataset);
+
+/// The result of average_over_axes() where `averaged`, else or where there is none that of solve().
+F0Result solve_averaged(bool averaged, const F0Solver& solver, const Material& material,
+                        const Dataset& dataset);
+
+/// Takes the zone out of a result: the colour of a surface lies in none.
+void drop_zone(F0Result& result);
+
 /// The kind of a dataset and what makes it doubtful, in few words: "measured", "computed; sparse; doubtful".
 ///   flags   those of a result or of quality_flags(); only sparse and doubtful are looked at
 std::string quality_text(Origin origin, Flags flags);

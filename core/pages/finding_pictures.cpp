@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pages/finding_pictures.h"
+#include "core/base/files/read_places.h"
 
 #include <algorithm>
 #include <map>
@@ -20,6 +21,7 @@
 #include "core/validate/files/metal_rough.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/output/formats.h"
+#include "core/validate/repairs/repair_files.h"
 #include "core/validate/rules.h"
 
 namespace etak {
@@ -160,6 +162,9 @@ std::vector<const CheckTarget*> targets_of(const CheckedFile& file) {
 std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& settings,
                               const PictureDoor& door, const std::string& folder, unsigned threads) {
   auto out = std::make_unique<OutputFolder>(folder, Replace::files);
+  const std::vector<std::string> inputs = checked_paths(report);
+  out->keep_off(std::make_shared<const ReadPlaces>(inputs));
+  out->limit_mode(strictest_mode(inputs));
   // Names are given out in the report's order, so that they do not depend on the threads.
   const auto wanted = with_places(report);
   FreeNames taken;

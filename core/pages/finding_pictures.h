@@ -26,6 +26,8 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& se
 /// Thumbnails, heat maps and histograms of the files with findings, for validation_page(): an entry for each
 /// of report.files. Only the first `most` files with findings get pictures, so that browsers can open the
 /// page of a folder of thousands of files.
+/// A merged report has none: its files were checked elsewhere.
+inline constexpr std::size_t most_files_with_pictures = 200;
 std::vector<ValidationPageFile> page_pictures(const ValidationReport& report, const Settings& settings,
                                               const PictureDoor& door, std::size_t most, unsigned threads);
 

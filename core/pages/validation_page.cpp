@@ -297,6 +297,7 @@ std::string validation_page(const ValidationReport& report, std::span<const Vali
   append(out, "<p class=\"policy\">Profile ", escape_html(report.profile), ", transfer ",
          escape_html(report.transfer), ", fails on ", name(options.settings.fail_on), ". etak ",
          escape_html(options.version), ", settings ", escape_html(report.settings_hash), ".</p>\n");
+  if (report.merged) out += "<p class=\"policy\">Merged from shards, therefore without pictures.</p>\n";
   append_navigation(out, report);
   out += "</header>\n<main>\n";
   std::vector<std::size_t> with_findings, clean;

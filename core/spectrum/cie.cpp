@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/spectrum/cie.h"
 
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include "core/base/error.h"
+#include "core/base/text/ascii.h"
+#include "core/spectrum/own_viewing.h"
+
 namespace etak {
 namespace {
 
@@ -72,10 +80,68 @@ constexpr auto power_d50 = column_of_illuminant(2);
 constexpr auto power_a = column_of_illuminant(3);
 constexpr auto power_e = equal_energy();
 
+// Tables in use, by values of an enumeration that lie above those of CIE and are never given twice.
+template <class Id, class Row>
+class OwnTables {
+ public:
+  std::shared_ptr<const Id> add(std::span<const Row, grid_size> rows) {
+    const std::lock_guard lock(lock_);
+    last_ = static_cast<Id>(static_cast<int>(last_) + 1);
+    std::copy(rows.begin(), rows.end(), tables_[last_].begin());
+    return {new Id(last_), [this](const Id* id) {
+              const std::lock_guard ending(lock_);
+              tables_.erase(*id);
+              delete id;
+            }};
+  }
+  /// The table behind a value that is in use.
+  std::span<const Row, grid_size> find(Id id) {
+    const std::lock_guard lock(lock_);
+    return tables_.find(id)->second;
+  }
+
+ private:
+  std::mutex lock_;
+  std::map<Id, std::array<Row, grid_size>> tables_;  // whose elements stay where they are
+  Id last_{16};
+};
+
+OwnTables<Observer, std::array<double, 3>>& own_observers() {
+  static OwnTables<Observer, std::array<double, 3>> tables;
+  return tables;
+}
+OwnTables<Illuminant, double>& own_illuminants() {
+  static OwnTables<Illuminant, double> tables;
+  return tables;
+}
+
 }  // namespace
 
+std::shared_ptr<const Observer> own_observer(std::span<const std::array<double, 3>, grid_size> functions) {
+  double sum = 0;
+  for (const auto& row : functions)
+    for (const double value : row)
+      if (!std::isfinite(value)) throw Error::at("observer", "a value that is not finite", "finite values");
+  for (const auto& row : functions) sum += row[1];
+  if (!(sum > 0)) throw Error::at("observer", "the sum of y is not above 0", "an observer that sees light");
+  return own_observers().add(functions);
+}
+
+std::shared_ptr<const Illuminant> own_illuminant(std::span<const double, grid_size> power) {
+  double sum = 0;
+  for (const double value : power) {
+    if (!(value >= 0) || !std::isfinite(value))
+      throw Error::at("illuminant", "power that is negative or not finite", "finite power of at least 0");
+    sum += value;
+  }
+  if (!(sum > 0)) throw Error::at("illuminant", "no power at 360-830 nm", "power above 0");
+  return own_illuminants().add(power);
+}
+
 std::string_view name(Observer observer) {
-  return observer == Observer::cie1931_2deg ? "1931-2deg" : "1964-10deg";
+  return observer == Observer::cie1931_2deg    ? "1931-2deg"
+         : observer == Observer::cie1964_10deg ? "1964-10deg"
+                                               : "own";
 }
 
 std::string_view name(Illuminant illuminant) {
@@ -87,9 +153,9 @@ std::string_view name(Illuminant illuminant) {
     case Illuminant::a:
       return "A";
     case Illuminant::e:
-      break;
+      return "E";
   }
-  return "E";
+  return "own";
 }
 
 std::optional<Observer> observer_named(std::string_view text) {
@@ -100,12 +166,14 @@ std::optional<Observer> observer_named(std::string_view text) {
 
 std::optional<Illuminant> illuminant_named(std::string_view text) {
   for (const Illuminant i : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
-    if (text == name(i)) return i;
+    if (lower_case(text) == lower_case(name(i))) return i;
   return std::nullopt;
 }
 
 std::span<const std::array<double, 3>, grid_size> matching_functions(Observer observer) {
-  return observer == Observer::cie1931_2deg ? cie1931 : cie1964;
+  if (observer == Observer::cie1931_2deg) return cie1931;
+  if (observer == Observer::cie1964_10deg) return cie1964;
+  return own_observers().find(observer);
 }
 
 std::span<const double, grid_size> relative_power(Illuminant illuminant) {
@@ -117,9 +185,9 @@ std::span<const double, grid_size> relative_power(Illuminant illuminant) {
     case Illuminant::a:
       return power_a;
     case Illuminant::e:
-      break;
+      return power_e;
   }
-  return power_e;
+  return own_illuminants().find(illuminant);
 }
 
 }  // namespace etak

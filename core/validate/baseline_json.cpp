@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/json/node_json.h"
+#include "core/base/text/text.h"
 #include "core/validate/baseline.h"
 
 namespace etak {
@@ -16,7 +17,8 @@ std::string baseline_json(std::span<const KnownDefect> known) {
          {std::pair{"tile", &defect.tile}, {"material", &defect.material}, {"pointer", &defect.pointer}})
       if (!value->empty()) entry[key] = *value;
     if (defect.region) entry["region"] = *defect.region;
-    out += (i == 0 ? "\n    " : ",\n    ") + entry.dump(-1, ' ', false, Ordered::error_handler_t::replace);
+    append(out, i == 0 ? "\n    " : ",\n    ",
+           quiet_json(entry.dump(-1, ' ', false, Ordered::error_handler_t::replace)));
   }
   return out + (known.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }

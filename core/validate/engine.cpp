@@ -44,20 +44,11 @@ std::vector<CheckTile> tiles_of(const CheckTarget& target, int width, int height
 void add_counts(CheckedFile& file, const std::vector<TileEvidence>& tiles, bool has_b) {
   ByteCounts all;
   for (const TileEvidence& tile : tiles) all.add(tile.counts);
-  const auto put = [&](const char* what, std::uint64_t count) {
-    file.counts.emplace_back(what, static_cast<std::int64_t>(count));
-  };
-  put("texels", all.texels);
-  put("opaque_px", all.opaque);
-  put("alpha_zero_px", all.alpha_zero);
-  if (!has_b) return;
-  put("forbidden_any_channel_px", all.zone_any);
-  put("forbidden_all_channels_px", all.zone_all);
-  put("specular_black_px", all.black);
-  put("metal_px", all.metals);
-  put("gloss_min", all.gloss_least);
-  put("gloss_max", all.gloss_most);
-  put("energy_over_px", all.energy_over);
+  const std::array<std::uint64_t, count_names.size()> counts{
+      all.texels, all.opaque, all.alpha_zero,  all.zone_any,   all.zone_all,
+      all.black,  all.metals, all.gloss_least, all.gloss_most, all.energy_over};
+  for (std::size_t i = 0; i < (has_b ? counts.size() : counts_without_specular); ++i)
+    file.counts.emplace_back(count_names[i], static_cast<std::int64_t>(counts[i]));
 }
 
 void add_stats(CheckStats& to, const CheckStats& from) {

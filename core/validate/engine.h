@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/validate/baseline.h"
@@ -34,6 +36,20 @@ void look_at_pixels(const CheckTarget& target, const std::function<PictureRows(N
 
 /// Runs the rules over the evidence and adds their findings to `file`, in the order of rules, tiles, boxes.
 void judge(const CheckTarget& target, const Evidence& evidence, const Settings& settings, CheckedFile& file);
+
+/// The names of CheckedFile::counts, in their order. Of a target without a specular picture only the first
+/// `counts_without_specular` are there.
+inline constexpr std::array<std::string_view, 10> count_names{"texels",
+                                                              "opaque_px",
+                                                              "alpha_zero_px",
+                                                              "forbidden_any_channel_px",
+                                                              "forbidden_all_channels_px",
+                                                              "specular_black_px",
+                                                              "metal_px",
+                                                              "gloss_min",
+                                                              "gloss_max",
+                                                              "energy_over_px"};
+inline constexpr std::size_t counts_without_specular = 3;
 
 /// A CheckedFile with what is known before anything is opened: path, companions, roles.
 CheckedFile checked_file_of(const CheckTarget& target);

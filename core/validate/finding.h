@@ -99,6 +99,7 @@ struct CheckedFile {
   std::shared_ptr<const CheckTarget> target;  // what was checked; null where no file was, as in ETK903's
   // All tiles of a UDIM set; `target` is the first of them. `tile` of a finding is the number of its tile.
   std::vector<std::shared_ptr<const CheckTarget>> tiles;
+  bool is_set = false;    // a UDIM set: `path` stands for its tiles and is no file
   std::size_t place = 0;  // in a shard: index among the results of the whole run, before they are sorted
 
   /// The target that a finding is about: in a UDIM set that of its tile.
@@ -137,6 +138,7 @@ struct ValidationReport {
   std::optional<CacheUse> cache;             // where the run had a cache
   std::optional<RepairReport> repairs;       // where repaired copies were asked for
   std::shared_ptr<const ReportShard> shard;  // shards/report_shard.h; null: the run was not cut
+  bool merged = false;                       // from shards: the files themselves are not at hand
 };
 
 }  // namespace etak

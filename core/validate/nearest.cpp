@@ -73,7 +73,7 @@ const KnownMaterials& KnownMaterials::builtin() {
 }
 
 std::span<const KnownF0> KnownMaterials::f0() const {
-  std::call_once(computed_, [this] { f0_ = f0_in(library_); });
+  computed_.call([this] { f0_ = f0_in(library_); });
   return f0_;
 }
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <array>
-#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/once.h"
 #include "core/material/library.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
@@ -46,7 +46,7 @@ class KnownMaterials {
 
   MaterialLibrary library_;
   std::string hash_;
-  mutable std::once_flag computed_;
+  mutable Once computed_;
   mutable std::vector<KnownF0> f0_;
 };
 

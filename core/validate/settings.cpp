@@ -57,7 +57,7 @@ std::string_view name(TextureTransfer transfer) {
 }
 
 std::optional<TextureTransfer> texture_transfer_named(std::string_view text) {
-  return named_in(transfers, text);
+  return named_in(transfers, text == "power-2.2" ? "gamma22" : text);  // as --space-of and MaterialX say it
 }
 
 std::size_t least_region(const ZoneSettings& zone, std::size_t tile_texels) {

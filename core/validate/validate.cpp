@@ -110,7 +110,6 @@ class Checks {
 
   void look_up(const std::string& settings) {
     cache_.emplace(request_.cache, settings, request_.version);
-    cache_->folder().expect(targets_.size());
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
         if (done_[i] != 0) continue;
@@ -253,14 +252,12 @@ std::vector<ShardPlan> plan_shards(ValidationRequest request, std::size_t count)
   const std::string list = digest_of(found, groups);
   std::vector<ShardPlan> out;
   for (std::size_t i = 1; i <= count; ++i) {
-    ShardPlan& plan = out.emplace_back(ShardPlan{{i, count, {}}, list, 0, {}});
+    ShardPlan& plan = out.emplace_back(ShardPlan{{i, count, {}}, list, {}});
     plan.shard.items = items_of(plan.shard, bytes);
     std::set<std::string> files;
-    for (std::size_t g = plan.shard.items->first; g < plan.shard.items->second; ++g) {
-      plan.bytes += groups[g].bytes;
+    for (std::size_t g = plan.shard.items->first; g < plan.shard.items->second; ++g)
       for (const std::size_t t : groups[g].targets)
         files.insert(found.targets[t].depends.begin(), found.targets[t].depends.end());
-    }
     plan.files.assign(files.begin(), files.end());
   }
   return out;

@@ -45,6 +45,23 @@ vec3 tangent_of(vec3 n) {
   return length2 < 1e-12 ? vec3(1.0, 0.0, 0.0) : across * inversesqrt(length2);
 }
 
+// The same as angles() (brdf/geometry.glsl) around the normal n, without a frame: for lobes that know no tangent.
+Angles angles_about(vec3 n, vec3 l, vec3 v) {
+  Angles a;
+  vec3 s = l + v;
+  float length2 = dot(s, s);
+  float inverse = 1.0 / sqrt(max(length2, tiny));
+  vec3 across = cross(n, s) * inverse;
+  a.nl = clamp(dot(n, l), -1.0, 1.0);
+  a.nv = clamp(dot(n, v), -1.0, 1.0);
+  a.nh = clamp(dot(n, s) * inverse, -1.0, 1.0);
+  a.lh = min(sqrt(length2) / 2.0, 1.0);
+  a.lv = clamp(dot(l, v), -1.0, 1.0);
+  a.s2 = min(dot(across, across), 1.0);
+  a.valid = max(min(min(a.nl, a.nv), length2), 0.0);
+  return a;
+}
+
 // `w` in the frame of tangent, bitangent and normal.
 vec3 in_frame(vec3 w, vec3 t, vec3 b, vec3 n) {
   return vec3(dot(w, t), dot(w, b), dot(w, n));

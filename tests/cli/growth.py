@@ -72,6 +72,12 @@ def f0_list_of_nothing(n):
     return ["f0", "--files-from", "list"]
 
 
+@case(20000, 2)
+def f0_long_name(n):
+    write("list", "a" * n + "\n")
+    return ["f0", "--files-from", "list"]
+
+
 @case(8000)
 def eval_rows(n):
     lines("rows.csv", n + 1, lambda i: f"a{i},srgb_u8,x=0.04" if i else "id,function,inputs")
@@ -124,6 +130,12 @@ def pack_manifest(n):
     return ["pack", "m.json", "--out", "atlas", "--report", "json"]
 
 
+@case(4000)
+def pack_constants_kept(n):
+    write("m.json", json.dumps({"materials": [flat(i) for i in range(n)]}))
+    return ["pack", "m.json", "--out", "atlas", "--keep", "constant", "--report", "none", "--no-validate"]
+
+
 @case(10, 2)
 def pack_batch(n):
     write("m.json", json.dumps({"materials": [flat(0)]}))
@@ -149,6 +161,21 @@ def validate_list(n):
 def validate_folder(n):
     table_files(n)
     return ["validate", "--no-config", "tables"]
+
+
+@case(80)
+def validate_shard(n):
+    table_files(n)
+    return ["validate", "--no-config", "tables", "--shard", "1/2", "--format", "json"]
+
+
+@case(80)
+def merge_shards(n):
+    table_files(n)
+    for part in ("1", "2"):
+        subprocess.run([etak, "validate", "--no-config", "tables", "--shard", part + "/2", "--format", "json", "-q",
+                        "-o", part + ".json"], check=True)
+    return ["merge", "1.json", "2.json", "--format", "json"]
 
 
 def scene(n, material, more):

@@ -2,7 +2,7 @@
 // Whatever the bytes: the PNG reader answers with nothing, an Error, or pixels; the same pixels whether rows
 // are read at once or one by one, and after writing and reading them again. The first byte says whether the
 // checksums of chunks are put right first, so that what lies behind them is reached. The bytes are read as a
-// colour profile too.
+// colour profile too. A copy with their other chunks, as a repair makes it, and one without them have the same texels.
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +14,7 @@
 #include "core/image/files/deflate.h"
 #include "core/image/files/icc.h"
 #include "core/image/files/png.h"
+#include "core/image/files/png_keep.h"
 
 using namespace etak;
 
@@ -76,5 +77,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::uint8_t> read(whole.size());
   back->read_rows(read.data(), row, info.height);
   assert(read == whole);
+  const auto check_copy = [&](const std::string& copy) {
+    auto reader = PngReader::open(copy, "c.png");
+    assert(reader && reader->header().width == info.width && reader->header().height == info.height &&
+           reader->header().channels == info.channels && reader->header().bits == info.bits);
+    reader->read_rows(read.data(), row, info.height);
+    assert(read == whole);
+  };
+  check_copy(with_chunks_of(written, source).file);
+  if (const auto alone = texels_alone(source)) {
+    assert(size_of_texels_alone(source) == alone->size());
+    check_copy(*alone);
+  }
   return 0;
 }

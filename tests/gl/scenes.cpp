@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/gl/scenes.h"
 
+#include <cstdio>
+
 #include "core/render/display.h"
 
 namespace etak::test {
@@ -156,6 +158,14 @@ std::vector<Variant> variants(const Model& model) {
     out.back().scene.tone = tone;
   }
   return out;
+}
+
+std::pair<std::string, int> run(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return {"popen failed", -1};
+  std::string out;
+  for (int c; (c = std::fgetc(pipe)) != EOF;) out += static_cast<char>(c);
+  return {out, pclose(pipe)};
 }
 
 }  // namespace etak::test

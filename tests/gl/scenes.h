@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/render/scene.h"
@@ -22,5 +23,8 @@ struct Variant {
   Scene scene;
 };
 std::vector<Variant> variants(const Model& model);
+
+/// What a command prints, with its errors, and its status as the C library gives it.
+std::pair<std::string, int> run(const std::string& command);
 
 }  // namespace etak::test

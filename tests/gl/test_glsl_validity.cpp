@@ -11,19 +11,6 @@
 using namespace etak;
 using namespace etak::test;
 
-namespace {
-
-// What a command prints, and its exit status.
-std::pair<std::string, int> run(const std::string& command) {
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::string out;
-  for (int c; (c = std::fgetc(pipe)) != EOF;) out += static_cast<char>(c);
-  return {out, pclose(pipe)};
-}
-
-}  // namespace
-
 TEST_CASE("glslangValidator takes every model with everything on, everything off and each feature toggled") {
   if (std::system("glslangValidator --version >/dev/null 2>&1") != 0) {
     std::puts("skipped: glslangValidator is not installed (Debian: glslang-tools)");

@@ -45,6 +45,15 @@ class TheLibrary(unittest.TestCase):
             etak.library["gold"].dataset("nobody")
         self.assertEqual(str(caught.exception), told("f0", "gold/nobody"))
 
+    def test_a_table_without_a_class_is_decided_by_its_numbers_as_a_page_is(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table, file = Path(folder) / "gold.csv", Path(folder) / "gold.json"
+            table.write_text("wavelength_um,n,k\n0.4,1.47,1.95\n0.55,0.43,2.46\n0.7,0.13,4.1\n")
+            subprocess.run([PROGRAM, "import", table, "-o", file, "-q"], check=True)
+            for path in (table, file):
+                read = etak.read(str(path))
+                self.assertEqual((read.material.optical_kind, read.kind), ("conductor", "unknown"))
+
     def test_folders_lie_over_the_built_in_materials(self):
         with tempfile.TemporaryDirectory() as folder:
             shown = subprocess.run(

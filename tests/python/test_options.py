@@ -13,16 +13,17 @@ ABOUT_THE_PROGRAM = set("""help help_all files_from format output out quiet verb
     follow_links list_files list_rules report page_report page_link batch watch
     shard batch_report cache_stats cache_report""".split())
 NOT_IN_PYTHON = {
-    "f0": {"stdin_format", "allow_empty", "all", "all_datasets", "force", "integration"},
+    "f0": {"stdin_format", "allow_empty", "all", "all_datasets", "force", "integration", "class"},
     "validate": {"changed_since", "min_severity", "mask", "fix", "cache_key", "max_warnings", "exit_zero",
                  "write_baseline", "force"},
-    "pack": {"no_validate", "cache", "cache_key", "cache_size"},  # validate=False
-    "choose": {"all", "measure", "write_costs", "force"},
+    "pack": {"no_validate", "cache", "cache_key", "cache_size",  # validate=False
+             "textures", "gloss_channel"},  # format= and gloss=, as in the jobs of a batch
+    "choose": {"all", "measure", "write_costs", "force", "dataset", "unit", "columns", "duplicates", "class", "origin"},
 }
 ONLY_IN_PYTHON = {
-    "f0": {"material", "n", "k", "wavelength", "reflectance", "threads"},
+    "f0": {"material", "material_class", "n", "k", "wavelength", "reflectance", "threads"},
     "validate": {"paths", "threads", "progress"},
-    "pack": {"input", "output", "validate", "threads", "progress"},
+    "pack": {"input", "output", "validate", "threads", "progress", "format", "gloss"},
     "choose": {"materials", "threads", "progress"},
 }
 
@@ -45,8 +46,7 @@ class Options(unittest.TestCase):
             with self.subTest(verb):
                 theirs = options(verb)
                 self.assertEqual(without - theirs, set(), "these are no options")
-                about = ABOUT_THE_PROGRAM - ({"format"} if verb == "pack" else set())  # of textures
-                expected = theirs - without - about
+                expected = theirs - without - ABOUT_THE_PROGRAM
                 self.assertEqual(keywords(verb) - ONLY_IN_PYTHON[verb], expected)
 
 

@@ -63,7 +63,7 @@ class Stubs(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             # The classes of pybind11 have a metaclass and an __init__ that refuses all arguments.
             allowed = Path(folder, "allowed")
-            allowed.write_text(r"etak\.((_core|convert)\.)?[A-Z]\w*(\.__init__)?" "\n")
+            allowed.write_text(r"etak\.((_core|convert|notebook)\.)?[A-Z]\w*(\.__init__)?" "\n")
             done = subprocess.run(
                 [sys.executable, "-m", "mypy.stubtest", "etak", "--ignore-missing-stub", "--allowlist", allowed],
                 capture_output=True, text=True, cwd=folder,

@@ -38,7 +38,7 @@ def run(*arguments):
 
 material, f0 = schema("material"), schema("f0")
 files = sorted(glob.glob(f"{source}/materials/**/*.json", recursive=True))
-assert len(files) >= 338, len(files)
+assert len(files) >= 383, len(files)
 for path in files:
     with open(path, encoding="utf-8") as file:
         check(material, json.load(file), path)
@@ -58,9 +58,6 @@ done = subprocess.run([etak, "list", "steel", "TiN", "dna", "milk", "glod", "qwe
 assert done.returncode == 1, done.stderr
 check(schema("names"), json.loads(done.stdout), "list of names")
 check(f0, json.loads(run("f0", "steel", "gold/*", "--format", "json")), "f0 of an alias with a note")
-check(f0, json.loads(run("f0", "--all", "--shard", "2/9", "--format", "json")), "f0 --shard")
-check(schema("export"), json.loads(run("export", "gold", "--to", "values", "--shard", "1/2", "--format", "json")),
-      "export --shard")
 
 with tempfile.TemporaryDirectory() as folder:
     page, out = os.path.join(folder, "page.yml"), os.path.join(folder, "out.json")
@@ -80,7 +77,8 @@ for name in ids:
 
 calls = {
     "list": [[], ["--class", "metal"], ["--zone", "inside"]],
-    "nearest": [["#ffe49c"], ["0.5,0.5,0.5", "--linear"]],
+    "nearest": [["#ffe49c"], ["0.5,0.5,0.5", "--linear"], ["gold"]],
+    "config": [[]],
     "models": [[]],
     "shader": [["gold"], ["pmma", "--diffuse", "0.5,0.1,0.1"], ["water", "--model", "abc-schlick", "--es"],
                ["silicon", "--model", "phong", "--lights", "0", "--hemispheres"]],
@@ -180,12 +178,13 @@ with tempfile.TemporaryDirectory() as folder:
         if "validation" in report:
             check(schema("validation"), report["validation"], "pack, validation")
         plan = os.path.join(folder, "plan")
-        run("plan", "--tasks", "3", "--format", "json", "-o", plan, "--", "validate", folder)
-        with open(os.path.join(plan, "plan.json"), encoding="utf-8") as file:
-            check(schema("plan"), json.load(file), "plan")
         jobs, batch = os.path.join(folder, "jobs.json"), os.path.join(folder, "batch.json")
         with open(jobs, "w", encoding="utf-8") as file:
             json.dump({"jobs": [{"input": "manifest.json", "out": "batch-1"}, {"input": "none.json", "out": "x"}]}, file)
+        for planned in (["validate", folder], ["pack", "--batch", jobs]):
+            run("plan", "--tasks", "3", "--format", "json", "-o", plan, "--force", "--", *planned)
+            with open(os.path.join(plan, "plan.json"), encoding="utf-8") as file:
+                check(schema("plan"), json.load(file), "plan")
         for shard in ([], ["--shard", "1/2"]):
             subprocess.run([etak, "pack", "--batch", jobs, "--batch-report", batch, "--report", "none", "-q", *shard],
                            capture_output=True, check=False)
@@ -196,9 +195,10 @@ with tempfile.TemporaryDirectory() as folder:
             check(schema("choose"), json.loads(text), "choose of a scene")
         with open(os.path.join(atlas, "layout.json"), encoding="utf-8") as file:
             check(schema("atlas-layout"), json.load(file), "atlas layout")
-        text = run_where_built("validate", atlas, "--format", "json")
-        if text is not None:
-            check(schema("validation"), json.loads(text), "validate")
+        for shard in ([], ["--shard", "1/1"]):
+            text = run_where_built("validate", atlas, "--format", "json", *shard)
+            if text is not None:
+                check(schema("validation"), json.loads(text), "validate")
         # F0 0.04 encoded twice, which is repaired, and a copied companion.
         draw = [sys.executable, f"{source}/tests/cli/png.py", "a_diff.png=90-130,80-110,70-90,255", "a_spec.png=128,128,128,90-130"]
         pairs = os.path.join(folder, "pairs")

@@ -12,8 +12,13 @@ def png_chunk(kind, data):
 
 def png(width, height, channels, random, level=1):
     """A PNG of noise, 8 bits, 1, 3 or 4 channels; with level 0 it is stored and as large as its texels."""
+    texels = random.randbytes(width * channels * height)
+    return png_of(width, height, channels, texels, level)
+
+
+def png_of(width, height, channels, texels, level=1):
+    """The PNG of these texels, row by row."""
     row = width * channels
-    texels = random.randbytes(row * height)
     rows = b"".join(b"\0" + texels[y * row:(y + 1) * row] for y in range(height))
     header = struct.pack(">IIBBBBB", width, height, 8, {1: 0, 3: 2, 4: 6}[channels], 0, 0, 0)
     return (b"\x89PNG\r\n\x1a\n" + png_chunk(b"IHDR", header) + png_chunk(b"IDAT", zlib.compress(rows, level)) +

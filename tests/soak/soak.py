@@ -18,6 +18,7 @@ from pathlib import Path
 
 import files
 import fuzzers
+import injections
 import interrupts
 import others
 import race_hunt
@@ -29,6 +30,7 @@ HARNESSES = [
     ("command lines", files.command_lines, 10),
     ("KILL", interrupts.kills, 14),
     ("INT TERM HUP", interrupts.signals, 10),
+    ("injected failures", injections.injected_failures, 24),
     ("limits and XFSZ", interrupts.limits, 8),
     ("racing writers", interrupts.racing_writers, 7),
     ("shrinking files", interrupts.shrinking_files, 5),

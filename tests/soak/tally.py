@@ -62,7 +62,7 @@ def content(path):
     path = Path(path)
     if path.is_dir():
         return {str(each.relative_to(path)): each.read_bytes() for each in sorted(path.rglob("*"))
-                if each.is_file() and not LEFTOVER.search(each.name)}
+                if each.is_file() and not any(map(LEFTOVER.search, each.relative_to(path).parts))}
     return path.read_bytes() if path.exists() else None
 
 

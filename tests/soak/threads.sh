@@ -36,12 +36,12 @@ etak f0 --all -j 8 --format html -o all.html
 cp -r "$corpus/material" "$corpus/table" "$corpus/rii_page" .
 etak f0 material table rii_page -j 8 --format csv -o folder.csv
 # validate: pictures, an atlas, data; with the cache and mask pictures; twice, so that the cache is read.
-etak pack in/manifest.json --out atlas -j 8 --bleed --format png,ktx2,dds --png-level small --fail-on never
+etak pack in/manifest.json --out atlas -j 8 --bleed --textures png,ktx2,dds --png-level small --fail-on never
 etak validate in atlas material -j 8 --cache cache --mask mask --format json -o once.json --exit-zero --no-config
 etak validate in atlas material -j 8 --cache cache --format html -o twice.html --exit-zero --no-config
 # pack: again over the old atlas, from floats, a scene, and two at a time of a job file.
 etak pack in/manifest.json --out atlas -j 8 --rotate 1 --page-form mixed --page-report page.html --fail-on never
-[ ! -x "$bin/libetak-pictures.so" ] || etak pack in/manifest.json --out floats -j 8 --format png,tiff --fail-on never
+[ ! -x "$bin/libetak-pictures.so" ] || etak pack in/manifest.json --out floats -j 8 --textures png,tiff --fail-on never
 etak pack "$corpus/gltf/square.gltf" --out scene -j 8 --islands --fail-on never
 printf '{"jobs": [{"input": "in/manifest.json", "out": "one"}, {"input": "in/manifest.json", "out": "two"}]}' >jobs.json
 etak pack --batch jobs.json -j 8 --fail-on never

@@ -2,6 +2,7 @@
 #include "app/cli/completion/man.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/cli/completion/kinds.h"
 #include "app/cli/usage.h"
@@ -55,8 +56,67 @@ std::string options_of(const VerbRow& verb) {
   return out;
 }
 
+// The page of a verb among the documents (resources/doc/verbs), in Markdown; empty where it has none.
+std::string_view document_of(std::string_view verb) {
+  static constexpr std::pair<std::string_view, std::string_view> pages[] = {
+#include "verb_pages.inc"
+  };
+  for (const auto& [name, text] : pages)
+    if (name == verb) return text;
+  return {};
+}
+
+// A paragraph of Markdown without the marks of code, and without where its links lead to.
+std::string without_marks(std::string_view paragraph) {
+  std::string out;
+  for (std::size_t at = 0; at < paragraph.size(); ++at) {
+    const char c = paragraph[at];
+    if (c == ']' && paragraph.substr(at).starts_with("]("))
+      at = std::min(paragraph.find(')', at), paragraph.size());
+    else if (c != '`' && c != '[' && c != '*')
+      out += c;
+  }
+  return out;
+}
+
+// What the document tells before its first heading, and the commands that it shows.
+struct Told {
+  std::string description, examples;
+};
+
+Told told_by(std::string_view document) {
+  Told out;
+  bool heading = false, paragraph = false;
+  for (std::string_view rest = document; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    heading = heading || line.starts_with("## ");
+    if (line.starts_with("    $ ")) out.examples += roff(line.substr(6)) + '\n';
+    const bool plain =
+        !line.empty() && !heading && std::string_view(" #|-!`").find(line[0]) == std::string_view::npos;
+    if (plain && !paragraph && !out.description.empty()) out.description += ".PP\n";
+    if (plain) out.description += roff(without_marks(line)) + '\n';
+    paragraph = plain;
+  }
+  return out;
+}
+
+// The same for all verbs: what of the environment etak reads, and its files.
+constexpr std::string_view environment_and_files =
+    ".SH ENVIRONMENT\n"
+    ".TP\n\\fBETAK_LIBRARY\\fR\na folder of materials that is laid over the library, as \\-\\-library does\n"
+    ".TP\n\\fBETAK_FORCE\\fR\n1: outputs may replace files, as \\-\\-force does\n"
+    ".TP\n\\fBOCIO\\fR\nthe OpenColorIO configuration, as \\-\\-ocio does\n"
+    ".TP\n\\fBNO_COLOR\\fR\nno colours on a terminal\n"
+    ".TP\n\\fBCOLUMNS\\fR\nthe width of a terminal\n"
+    ".SH FILES\n"
+    ".TP\n\\fI$XDG_CONFIG_HOME/etak/config.toml\\fR\nthe user's settings; else in \\fI~/.config\\fR\n"
+    ".TP\n\\fIetak.toml\\fR\na project's settings of the validator, searched from the inputs upwards\n";
+
 // The lines below the options; what follows "Example:" is a command.
-std::string footer_of(const VerbRow& verb) {
+//   examples   commands that stand instead of those of the footer, where there are any
+std::string footer_of(const VerbRow& verb, const std::string& examples) {
   std::string out;
   bool in_example = false;
   for (std::string_view rest = verb.footer; !rest.empty();) {
@@ -64,12 +124,14 @@ std::string footer_of(const VerbRow& verb) {
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (line == "Example:") {
-      out += ".SH EXAMPLE\n.EX\n";
+      if (!examples.empty()) break;
+      out += ".SH EXAMPLES\n.EX\n";
       in_example = true;
     } else {
       out += (out.empty() ? ".SH NOTES\n" : in_example ? "" : ".br\n") + roff(line) + '\n';
     }
   }
+  if (!examples.empty()) return out + ".SH EXAMPLES\n.EX\n" + examples + ".EE\n";
   return in_example ? out + ".EE\n" : out;
 }
 
@@ -89,13 +151,15 @@ std::string manual_page(const std::vector<VerbRow>& table, std::string_view verb
   std::vector<std::string> others;
   for (const OptionRow& option : found->options)
     if (option.names.empty()) out += " [\\fI" + roff(option.value) + "\\fR" + (option.repeats ? "...]" : "]");
+  const auto [description, examples] = told_by(document_of(verb));
   out += '\n';
+  if (!description.empty()) out += ".SH DESCRIPTION\n" + description;
   if (top) {
     out += ".SH VERBS\n";
     for (const VerbRow& each : table)
       if (!each.name.empty()) out += ".TP\n\\fB" + roff(each.name) + "\\fR\n" + roff(each.help) + '\n';
   }
-  out += options_of(*found) + footer_of(*found) + ".SH SEE ALSO\n";
+  append(out, options_of(*found), footer_of(*found, examples), environment_and_files, ".SH SEE ALSO\n");
   for (const VerbRow& each : table)
     if (each.name != verb)
       others.push_back(".BR " + roff(each.name.empty() ? "etak" : "etak-" + each.name) + " (1)");

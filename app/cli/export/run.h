@@ -18,14 +18,17 @@ struct ExportArguments {
   TableSettings tables;
   OutputArguments output;
   Library library;
-  std::string to, fit = "clamp", gltf_form = "metal-rough";
+  std::vector<std::string> wanted;  // of --to, as typed
+  std::string to, fit = "clamp", gltf_form = "specular-ior";
   std::vector<std::string> targets;
-  std::vector<double> diffuse;
+  std::string diffuse;  // a colour as typed
   RoughnessArguments rough;
   double opacity = 1;
-  std::string shard;  // --shard as typed
   unsigned threads = 0;
 };
+
+/// The words that --to takes: mtlx, gltf, values, then the targets.
+std::vector<std::string> forms_and_targets();
 
 /// Does the work of the verb. Returns the exit status; throws Error.
 int export_materials(ExportArguments& arguments);

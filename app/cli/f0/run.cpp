@@ -8,17 +8,14 @@
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
 #include "app/cli/options/options.h"
-#include "app/cli/options/shard.h"
 #include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/output/terminal.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
-#include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
-#include "core/base/shards/shard_document.h"
 #include "core/base/system.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
@@ -188,18 +185,6 @@ void keep_worker_memory() {
   sys::keep_freed_memory(kept_bytes, kept_bytes);
 }
 
-// A digest of what decides the rows besides the inputs.
-std::string options_digest(const F0Arguments& a, const std::string& policy) {
-  ContentHash hash;
-  hash.add_part(policy);
-  for (const std::string* text : {&a.tables.unit, &a.tables.columns, &a.tables.duplicates, &a.inputs.dataset})
-    hash.add_part(*text);
-  for (const bool flag :
-       {a.axis_average, a.allow_empty, a.inputs.all_datasets, a.compute.allow_extrapolation})
-    hash.add_part(flag ? "1" : "0");
-  return hash.hex();
-}
-
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
@@ -211,7 +196,7 @@ double seconds_since(Clock::time_point begin) {
 class F0Run {
  public:
   F0Run(F0Arguments& arguments, const F0Job& job, unsigned threads)
-      : arguments_(arguments), job_(job), workers_(threads), shard_(asked_shard(arguments.shard)) {
+      : arguments_(arguments), job_(job), workers_(threads) {
     if (arguments.output.format == "csv") text_ = f0_csv_header();
   }
 
@@ -222,8 +207,8 @@ class F0Run {
     InputNames batch = arguments_.inputs;
     {
       Progress progress(arguments_.output, 0, "f0");
-      // The HTML page of all materials needs all inputs at once, and so does the cut into shards.
-      const std::size_t most = is_html() || shard_ ? static_cast<std::size_t>(-1) : batch_names;
+      // The HTML page of all materials needs all inputs at once.
+      const std::size_t most = is_html() ? static_cast<std::size_t>(-1) : batch_names;
       std::size_t names_left = list ? list->count() : 0;
       for (bool first = true;; first = false) {
         std::vector<std::string> listed;
@@ -237,7 +222,6 @@ class F0Run {
         batch.all = false;
       }
     }
-    if (shard_) return print_shard();
     if (inputs_ == 0 && !arguments_.allow_empty) throw empty_list(arguments_.files_from);
     if (tally_.rows == 0 && tally_.failed == 0 && inputs_ > 0)
       throw Error::at(
@@ -248,38 +232,12 @@ class F0Run {
     print_remarks(arguments_, inputs_, tally_);
     for (const F0Worker& worker : workers_) times_ += worker.times;
     if (arguments_.stats) print_stats(times_, find_seconds_, seconds_since(begin), inputs_, threads());
-    return status();
-  }
-
- private:
-  static constexpr std::size_t batch_names = 1024;
-
-  int status() const {
     if (tally_.failed > 0) return exit_failure;
     return tally_.refused_by_name > 0 ? exit_findings : exit_ok;
   }
 
-  // Writes the rows of a shard, in every form that is made of rows. Whether all shards together have inputs and
-  // rows is for the merge to tell.
-  int print_shard() {
-    const F0Options& options = job_.solver.options();
-    ShardMember member;
-    member.says = says_;
-    member.says.options = options_digest(arguments_, policy(options));
-    member.counts = {{"inputs", inputs_},
-                     {"rows", tally_.rows},
-                     {"failed", tally_.failed},
-                     {"refused", tally_.refused_by_name},
-                     {"allowEmpty", arguments_.allow_empty ? 1 : 0}};
-    ShardForm& lines = member.forms["csv"];
-    lines.head = f0_csv_header();
-    for (const F0Row& row : rows_) append_f0_csv(lines.rows, row.path, row.result, row.kind);
-    member.forms["jsonl"].rows = f0_jsonl(rows_, options);
-    write_output(arguments_.output, shard_document(f0_json(rows_, options), "results", member));
-    remark(arguments_.output,
-           "shard " + shard_->text() + ": " + counted(kept_, "of ") + counted(inputs_, "inputs"));
-    return status();
-  }
+ private:
+  static constexpr std::size_t batch_names = 1024;
 
   bool is_html() const { return arguments_.output.format == "html"; }
   unsigned threads() const { return static_cast<unsigned>(workers_.size()); }
@@ -294,13 +252,11 @@ class F0Run {
     for (const std::string& each : alias_remarks(inputs))
       if (told_.insert(each).second) remarks.push_back(each);
     find_seconds_ += seconds_since(begin);
-    if (shard_) {
-      inputs_ = inputs.size();
-      says_ = keep_inputs(inputs, *shard_);
-      kept_ = inputs.size();
-    } else {
-      inputs_ += inputs.size();
-    }
+    // Where the output is a new file, it is no input.
+    if (sys::FileInfo info; sys::file_info(arguments_.output.file, info))
+      for (const MaterialInput& input : inputs)
+        if (input.kind == MaterialInput::Kind::file) arguments_.output.read.push_back(input.path);
+    inputs_ += inputs.size();
     progress.set(inputs_ - inputs.size(), inputs_ + names_left);
     std::vector<Chunk> chunks(is_html() ? 1 : (inputs.size() + chunk_inputs - 1) / chunk_inputs);
     if (is_html())
@@ -329,7 +285,8 @@ class F0Run {
     const F0Options& options = job_.solver.options();
     if (output.format == "json") text_ = f0_json(rows_, options);
     if (output.format == "table") {
-      const std::size_t columns = is_standard_output(output) ? columns_of(sys::standard_output) : 0;
+      const bool terminal = is_standard_output(output) && sys::is_terminal(sys::standard_output);
+      const std::size_t columns = terminal ? columns_of(sys::standard_output) : 0;
       text_ = f0_table(rows_, options, use_color(output), columns);
       if (arguments_.verbose && !output.quiet) text_ += f0_legend(rows_, options, columns);
     }
@@ -344,10 +301,7 @@ class F0Run {
   Tally tally_;
   F0StageTimes times_;
   double find_seconds_ = 0;
-  std::optional<Shard> shard_;  // only this part of the inputs is answered
-  ShardOutput says_;            // of a shard
   std::size_t inputs_ = 0;      // number of inputs found so far
-  std::size_t kept_ = 0;        // of them by the shard
   std::set<std::string> told_;  // remarks on names that were made, so that each is made once
   std::string text_;            // output in forms made of lines
   std::vector<F0Row> rows_;     // output in other forms
@@ -357,23 +311,17 @@ class F0Run {
 
 int answer_f0(F0Arguments& arguments) {
   const OutputArguments& output = arguments.output;
-  if (asked_shard(arguments.shard)) {
-    refuse_pipes_of_shard(arguments.inputs.names);
-    if (output.format != "json")
-      throw Error::at(output.form_asked_by, output.format + " with --shard",
-                      "json, of which etak merge makes csv and jsonl");
-  }
   check_output(output);
   if (arguments.inputs.names.empty() && arguments.files_from.empty() && !arguments.inputs.all)
     throw Error::at("etak f0", "no input", "a material, file or folder, - for standard input, or --all");
-  if (output.format == "html" && (arguments.axis_average || !arguments.inputs.dataset.empty()))
+  if (output.format == "html" && (arguments.compute.axis_average || !arguments.inputs.dataset.empty()))
     throw Error::at("--format html", "shows every dataset of a material",
                     "no --dataset and no --axis-average");
   // A bad --library is an error even where no name is looked up.
   if (!arguments.library.folders.empty()) (void)arguments.library.get();
   const F0Solver solver(f0_options(arguments.compute, arguments.library));
   const bool with_source = output.format != "csv";
-  const F0Job job{solver, table_options(arguments.tables), arguments.axis_average, with_source,
+  const F0Job job{solver, table_options(arguments.tables), arguments.compute.axis_average, with_source,
                   arguments.stats};
   keep_worker_memory();
   return F0Run(arguments, job, thread_count(arguments.threads)).answer_all();

@@ -18,11 +18,9 @@ struct F0Arguments {
   OutputArguments output;
   Library library;
   unsigned threads = 0;
-  bool axis_average = false;
   bool stats = false;
   bool verbose = false;
   bool allow_empty = false;  // the list of --files-from may be empty
-  std::string shard;         // --shard as typed
 };
 
 /// Does the work of the verb. Returns the exit status; throws Error.

@@ -8,7 +8,6 @@
 #include "app/cli/arguments.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
-#include "core/base/shards/shards.h"
 #include "core/exchange/material_input.h"
 
 namespace etak::cli {
@@ -20,10 +19,6 @@ void add_all_datasets_option(Command verb, InputNames& names);
 /// find_inputs() without the text files of folders that hold no table; remarks tell how many were left out.
 std::vector<MaterialInput> find_tables(const InputNames& names, Library& library, unsigned threads,
                                        const OutputArguments& output);
-
-/// Keeps the inputs of a shard. Returns what the shard says of itself: which inputs it takes of how many, and
-/// the digest of their names. Throws Error for a pipe, which one program alone can read.
-ShardOutput keep_inputs(std::vector<MaterialInput>& inputs, const Shard& shard);
 
 /// The names in a list file ("-": standard input), separated by NUL bytes where the file has one, else by
 /// line ends. take() hands them out in parts, so that a run over a million names holds only the text of the

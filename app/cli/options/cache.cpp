@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/options/cache.h"
 
+#include "app/cli/output/replace.h"
 #include "core/base/error.h"
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
@@ -47,12 +48,18 @@ CacheOptions cache_options(const CacheArguments& arguments) {
 }
 
 void check_cache_report(const CacheArguments& arguments, bool replace) {
-  if (!arguments.report.empty()) check_file_target(arguments.report, replace);
+  if (arguments.report.empty()) return;
+  check_file_target(arguments.report, replace);
+  refuse_input(arguments.report);
 }
 
 void tell_cache(const CacheArguments& arguments, const CacheUse& use, const OutputArguments& output) {
-  if (!use.fault.empty())
-    remark(output, "--cache: " + printable(arguments.folder, 200) + " takes no more results: " + use.fault);
+  const std::string folder = "--cache: " + printable(arguments.folder, 200);
+  // A path that can hold no cache is more than a remark, which --quiet leaves out: no run will ever find a result there.
+  if (use.missing)
+    complain(folder + " cannot be used: " + use.fault);
+  else if (!use.fault.empty())
+    remark(output, folder + " takes no more results: " + use.fault);
   if (arguments.stats) complain("cache: " + cache_text(use));
 }
 

@@ -30,15 +30,7 @@ std::vector<std::string> Library::all_folders() const {
 }
 
 void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help) {
-  verb.option("--class", classes, help).value_name("CLASS").one_at_a_time();
-}
-
-void check_classes(const std::vector<std::string>& classes) {
-  for (const std::string& each : classes)
-    if (std::find(material_classes.begin(), material_classes.end(), each) == material_classes.end())
-      throw Error::at(
-          "--class", printable(each),
-          joined(material_classes) + did_you_mean(each, {material_classes.begin(), material_classes.end()}));
+  verb.option("--class", classes, help).value_name("CLASS").separated_by(',').one_at_a_time();
 }
 
 void add_library_options(Command verb, Library& library) {
@@ -82,6 +74,10 @@ void add_compute_options(Command verb, F0Settings& settings) {
       .value_name("CONFIG");
   add("--outside", settings.outside, "medium in front: an index of refraction or a material such as water")
       .value_name("NUMBER|MATERIAL");
+  verb.flag("--axis-average", settings.axis_average,
+            "crystals as random grains: (2 ordinary + extraordinary) / 3, or a third of alpha, beta and "
+            "gamma each")
+      .group(group);
   verb.flag("--allow-extrapolation", settings.allow_extrapolation,
             "give results where the data hold less than 0.95 of the luminous weight")
       .group(group);
@@ -105,6 +101,13 @@ void add_table_options(Command verb, TableSettings& settings) {
   verb.option("--duplicates", settings.duplicates, "equal wavelengths with other values in tables")
       .words({"refuse", "first", "mean"})
       .show_default()
+      .group(group);
+  verb.option("--class", settings.material_class,
+              "class of the input, such as metal or glass, in place of what it states or its numbers tell")
+      .value_name("CLASS")
+      .group(group);
+  verb.option("--origin", settings.origin, "where the numbers come from, in place of what the input states")
+      .words({"measured", "fit", "computed", "unknown"})
       .group(group);
 }
 

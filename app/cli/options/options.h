@@ -38,9 +38,6 @@ void add_library_options(Command verb, Library& library);
 /// Adds --class, which may be given more than once.
 void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help);
 
-/// Throws Error for a class that no material can have.
-void check_classes(const std::vector<std::string>& classes);
-
 /// Adds the options that say how F0 is computed.
 void add_compute_options(Command verb, F0Settings& settings);
 /// The options of the line as values. Throws Error that names the option and what it takes.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/cli/inputs/inputs.h"
+#include "app/cli/options/color.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
@@ -12,29 +13,16 @@
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
+#include "core/material/optics_class.h"
+#include "core/material/quality.h"
 #include "core/render/display.h"
 
 namespace etak::cli {
 namespace {
 
-using Overrides = std::vector<std::pair<std::string, double>>;
+constexpr double most_typed_f0 = 2;
 
-// The colour "0.9" (grey) or "0.9,0.5,0.1".
-Vec3 color_of(const std::string& place, std::string_view text) {
-  std::vector<double> out;
-  for (;;) {
-    const std::size_t comma = text.find(',');
-    double value = 0;
-    if (!parse_number(text.substr(0, comma), value))
-      throw Error::at(place, printable(text), "one number, or three with ',' between");
-    out.push_back(value);
-    if (comma == text.npos) break;
-    text.remove_prefix(comma + 1);
-  }
-  if (out.size() == 1) return {out[0], out[0], out[0]};
-  if (out.size() != 3) throw Error::at(place, std::to_string(out.size()) + " numbers", "one or three");
-  return {out[0], out[1], out[2]};
-}
+using Overrides = std::vector<std::pair<std::string, double>>;
 
 // A surface given in numbers: f0, f82, n, k, diffuse, gloss, roughness, opacity.
 SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues surface) {
@@ -45,24 +33,25 @@ SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues sur
     if (equals == each.npos)
       throw Error::at(printable(each), "is no NAME=NUMBER like the others", "one material, or numbers only");
     const std::string name = each.substr(0, equals);
-    const Vec3 value = color_of(name, std::string_view(each).substr(equals + 1));
-    const auto in_unit = [&] {
+    const Vec3 value = vec(typed_color(name, std::string_view(each).substr(equals + 1)));
+    // F0 of the library is above 1 where a colour lies outside of sRGB, and may be given so.
+    const auto at_most = [&](double most) {
       for (const double v : value)
-        if (!(v >= 0 && v <= 1)) throw Error::at(name, number(v, 6), "0 to 1");
+        if (!(v >= 0 && v <= most)) throw Error::at(name, number(v, 6), "0 to " + number(most, 3));
     };
     if (name == "f0") {
-      in_unit();
+      at_most(most_typed_f0);
       surface.f0 = value;
       has_f0 = true;
     } else if (name == "f82") {
-      in_unit();
+      at_most(most_typed_f0);
       surface.f82 = value;
       has_f82 = true;
     } else if (name == "n" || name == "k") {
       (name == "n" ? surface.n : surface.k) = value;
       has_index = true;
     } else if (name == "diffuse") {
-      in_unit();
+      at_most(1);
       surface.diffuse = value;
     } else if (name == "gloss" || name == "roughness") {
       if (!(value[0] >= 0 && value[0] <= 1)) throw Error::at(name, number(value[0], 6), "0 to 1");
@@ -108,10 +97,7 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
   const std::optional<Gloss> given = given_gloss(arguments.rough);
   if (given) blank.gloss = *given;
   blank.opacity = arguments.opacity.value_or(1);
-  if (!arguments.diffuse.empty())
-    blank.diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
-  for (const double value : blank.diffuse)
-    if (!(value >= 0 && value <= 1)) throw Error::at("--diffuse", number(value, 6), "0 to 1");
+  if (!arguments.diffuse.empty()) blank.diffuse = vec(typed_share("--diffuse", arguments.diffuse));
   if (arguments.subject.front().find('=') != std::string::npos) {
     notes.subject = joined(arguments.subject, " ");
     return made_up(arguments.subject, blank);
@@ -125,9 +111,11 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
     throw Error::at(arguments.subject.front(), std::to_string(inputs.size()) + " inputs",
                     "one material, or one of its datasets");
   for (const std::string& each : alias_remarks(inputs)) notes.remarks.push_back(each);
-  const Material material = read_material(inputs[0], TableOptions{});
+  const Material material = read_material(inputs[0], table_options(arguments.tables));
   const Dataset& dataset = dataset_named(material, inputs[0].dataset, inputs[0].label());
   notes.subject = material.id + "/" + dataset.id;
+  if (std::string remark = class_remark(material); !remark.empty())
+    notes.remarks.push_back(material.id + ": " + remark);
   const bool dielectric = optical_kind(material.material_class) == "dielectric";
   const Clarity body = clarity(material, dataset);
   const bool clear = body.clear && blank.diffuse == Vec3{0, 0, 0};
@@ -141,11 +129,16 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
                                                          ", in which the lights can be seen"
                                                    : ""));
   }
-  SurfaceValues out = surface_of(material, dataset, blank.diffuse, blank.gloss);
+  const F0Result result = solve_averaged(arguments.axis_average, F0Solver(F0Options{}), material, dataset);
+  SurfaceValues out = surface_of(material, dataset, result, blank.diffuse, blank.gloss);
+  // n and k are of one axis, which the reference would draw.
+  if (arguments.axis_average && !dataset.axis.empty()) out.optics.reset();
   out.opacity = arguments.opacity.value_or(clear ? 0 : 1);
   if (clear && !arguments.opacity)
     notes.remarks.push_back("the body of " + material.id + " is clear (" + body.reason +
                             "): what is behind it is seen through it; --opacity 1 draws its surface alone");
+  if (dielectric && !body.clear && blank.diffuse == Vec3{0, 0, 0})
+    notes.remarks.push_back(material.id + ": " + black_body_remark(body));
   if (!gives_f0(material.material_class))
     notes.remarks.push_back(total_reflectance_remark({to_rgb(out.diffuse), to_rgb(out.f0)}));
   if (!dielectric && !arguments.diffuse.empty())
@@ -169,9 +162,22 @@ Overrides read_set(const std::vector<std::string>& texts) {
 const Model* model_named(const char* option, const std::string& id, std::string_view standard) {
   if (id == "none") return nullptr;
   if (const Model* model = find_model(id.empty() ? standard : std::string_view(id))) return model;
+  for (const Term& each : terms())
+    if (each.id == id)
+      throw Error::at(option, printable(id) + ", which is one term of a model",
+                      "microfacet:D,F,V with three terms of etak models, or a model");
   std::vector<std::string> ids;
   for (const Model& each : models()) ids.emplace_back(each.id);
   throw Error::at(option, printable(id), "a model that etak models lists, or none" + did_you_mean(id, ids));
+}
+
+// The number of lights of --lights N; none where --lights names a file or is not given. Throws Error.
+std::optional<int> light_count(const std::string& text) {
+  double count = 0;
+  if (text.empty() || !parse_number(text, count)) return std::nullopt;
+  if (!(count >= 0 && count <= 64 && count == std::floor(count)))
+    throw Error::at("--lights", text, "0 to 64 directional lights, a file, or sources");
+  return static_cast<int>(count);
 }
 
 std::pair<int, int> size_of(const std::string& text) {
@@ -244,24 +250,25 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   scene.perspective = arguments.perspective;
   scene.field_of_view_deg = arguments.field_of_view;
   if (!arguments.background.empty())
-    scene.background = {arguments.background[0], arguments.background[1], arguments.background[2]};
+    scene.background = vec(typed_color("--background", arguments.background));
   scene.surface = surface_from(arguments, notes);
   choose_models(scene, arguments.model, arguments.diffuse_model, read_set(arguments.set), notes.remarks);
-  if (arguments.lights == "sources")
+  if (const std::optional<int> count = light_count(arguments.lights)) {
+    scene.lights.lights = spread_lights(*count);
+    scene.lights.hemispheres.reset();
+  } else if (arguments.lights == "sources") {
     scene.lights = default_lights();
-  else if (!arguments.lights.empty())
+  } else if (!arguments.lights.empty()) {
     scene.lights = parse_lights(read_file(arguments.lights), arguments.lights);
-  else if (arguments.environment.empty())
+  } else if (arguments.environment.empty()) {
     scene.lights = arguments.standard_lights();
+  }
   if (!arguments.environment.empty()) scene.lights.environment = arguments.environment;
   validate(scene);
   return scene;
 }
 
 void add_scene_options(Command verb, SceneArguments& arguments) {
-  const auto rgb = [&](const char* name, std::vector<double>& value, const char* text) {
-    verb.option(name, value, text).separated_by(',').values(3).value_name("R,G,B");
-  };
   verb.option("SUBJECT", arguments.subject,
               "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or "
               "f0=1,0.78,0.34, f82=, n=, k=, diffuse=, gloss=, roughness=, opacity=")
@@ -269,6 +276,9 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
       .value_name("");
   verb.option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
       .value_name("ID");
+  verb.flag(
+      "--axis-average", arguments.axis_average,
+      "a crystal as random grains: (2 ordinary + extraordinary) / 3, or a third of alpha, beta and gamma");
   verb.option("--model", arguments.model,
               "specular model (see etak models), or none; default " + std::string(default_specular))
       .value_name("MODEL");
@@ -279,13 +289,17 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
               "value of a model's parameter, NAME.r for one channel; may be given again")
       .value_name("NAME=NUMBER")
       .one_at_a_time();
-  rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
+  add_color_option(verb, "--diffuse", arguments.diffuse,
+                   "diffuse colour, linear; conductors and semiconductors stay black");
   add_roughness_options(verb, arguments.rough, "of the surface");
   verb.option("--opacity", arguments.opacity, "of the body, 0 to 1").show_default("1, of clear bodies 0");
   verb.option("--lights", arguments.lights,
-              "light setup, or sources: three lights and two hemispheres; default the studio and two flashes")
+              "number of directional lights, a light setup, or sources: three lights and two hemispheres; "
+              "default " +
+                  std::string(arguments.standard_lights == default_lights ? "sources"
+                                                                          : "the studio and two flashes"))
       .reads_file()
-      .value_name("FILE|sources");
+      .value_name("N|FILE|sources");
   verb.option(
           "--env", arguments.environment,
           "environment: lat-long HDR or EXR picture, or etak's own: studio, rim, overcast, sunset or night; "
@@ -296,7 +310,7 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.flag("--quad", arguments.quad, "a flat square instead of the sphere");
   verb.flag("--perspective", arguments.perspective, "perspective camera instead of an orthographic one");
   verb.option("--fov", arguments.field_of_view, "vertical field of view in degrees").show_default();
-  rgb("--background", arguments.background, "linear; default 0.18 grey");
+  add_color_option(verb, "--background", arguments.background, "linear; default 0.18 grey");
   verb.option("--exposure", arguments.exposure, "linear factor").show_default();
   verb.option("--transfer", arguments.transfer, "display curve")
       .words({"srgb", "power-0.45", "sqrt", "linear"})
@@ -304,6 +318,7 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.option("--tone", arguments.tone, "tone curve before --transfer; neutral is Khronos PBR Neutral")
       .words({"plain", "neutral", "agx-like", "false-color"})
       .show_default();
+  add_table_options(verb, arguments.tables);
   add_library_options(verb, arguments.library);
 }
 

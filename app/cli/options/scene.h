@@ -16,9 +16,11 @@ namespace etak::cli {
 struct SceneArguments {
   std::vector<std::string> subject;  // a material, or a surface in numbers: NAME=NUMBER[,NUMBER,NUMBER]
   std::string dataset;
+  TableSettings tables;
+  bool axis_average = false;
   std::string model, diffuse_model;
   std::vector<std::string> set;
-  std::vector<double> diffuse, background;
+  std::string diffuse, background;  // colours as typed
   RoughnessArguments rough;
   std::optional<double> opacity;  // none: 1, and 0 of clear bodies
   double exposure = 1, field_of_view = 30;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/options/shard.h"
 
-#include <charconv>
 #include <cstdlib>
-#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/files/input.h"
+#include "core/base/number.h"
 
 namespace etak::cli {
 namespace {
@@ -16,11 +15,9 @@ constexpr const char* option = "--shard";
 std::optional<std::size_t> number_in(const std::string& variable) {
   const char* const value = std::getenv(variable.c_str());
   if (value == nullptr) return std::nullopt;
-  const std::string_view text = value;
-  std::size_t out = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (failure != std::errc() || end != text.data() + text.size() || out > most_shards)
-    throw Error::at(option, variable + " is " + in_quotes(text),
+  const auto out = whole_number<std::size_t>(value);
+  if (!out || *out > most_shards)
+    throw Error::at(option, variable + " is " + in_quotes(value),
                     "a whole number, as Slurm sets it in an array");
   return out;
 }

@@ -70,14 +70,15 @@ bool use_color(const OutputArguments& arguments) {
   return sys::is_terminal(sys::standard_output) && variable("CLICOLOR") != "0" && variable("TERM") != "dumb";
 }
 
-std::unique_ptr<Output> output(const OutputArguments& arguments, std::string bytes) {
+std::unique_ptr<Output> output(const OutputArguments& arguments, std::string bytes, unsigned most_mode) {
   if (is_standard_output(arguments)) return std::make_unique<StandardOutput>(std::move(bytes));
-  return std::make_unique<OutputFile>(arguments.file, bytes, may_replace(arguments.force));
+  refuse_input(arguments.file, arguments.read);
+  return std::make_unique<OutputFile>(arguments.file, bytes, may_replace(arguments.force), most_mode);
 }
 
 void write_output(const OutputArguments& arguments, std::string_view bytes) {
   if (is_standard_output(arguments)) return write_standard_output(bytes);
-  OutputFile(arguments.file, bytes, may_replace(arguments.force)).commit();
+  output(arguments, std::string(bytes))->commit();
 }
 
 void complain(std::string_view message) {

@@ -26,6 +26,7 @@ struct OutputArguments {
   bool quiet = false;
   std::string color = "auto";
   std::string progress = "auto";  // --progress of verbs with long work: see progress.h
+  std::vector<std::string> read;  // inputs that the line does not name, which -o must not be written over
 };
 
 /// Adds --format (one of `formats`; by default the form of the ending of -o, else the first), -o, --force, -q
@@ -39,10 +40,12 @@ bool is_standard_output(const OutputArguments& arguments);
 /// and CLICOLOR_FORCE. Else a terminal gets colours, unless CLICOLOR=0 or TERM=dumb.
 bool use_color(const OutputArguments& arguments);
 
-/// The data of the run as an output to the file of -o or to standard output. Throws Error. Among several
-/// outputs it must be the last: data that a pipe has taken cannot be taken back, so the others must be ready
+/// The data of the run as an output to the file of -o or to standard output. Throws Error.
+///   most_mode   permissions beyond these are taken away from the file (strictest_mode)
+/// Among several outputs it must be the last: data that a pipe has taken cannot be taken back, so the others must be ready
 /// by then; where standard output cannot be written, they are not put in place.
-std::unique_ptr<Output> output(const OutputArguments& arguments, std::string bytes);
+std::unique_ptr<Output> output(const OutputArguments& arguments, std::string bytes,
+                               unsigned most_mode = 0777);
 
 /// Writes the data of the run at once to the file of -o or to standard output. Throws Error.
 void write_output(const OutputArguments& arguments, std::string_view bytes);

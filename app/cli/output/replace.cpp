@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/output/replace.h"
 
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/input.h"
 #include "core/base/files/output_target.h"
+#include "core/base/files/read_places.h"
 #include "core/base/system.h"
+#include "core/validate/baseline.h"
 #include "core/validate/user_config.h"
 
 namespace etak::cli {
@@ -29,26 +35,62 @@ std::string user_config_file() {
   return home.empty() ? "" : home + "/.config/etak/config.toml";
 }
 
-UserConfig user_config() {
-  const std::string file = user_config_file();
-  sys::FileInfo info;
-  if (file.empty() || !sys::file_info(file, info)) return {};
-  return parse_user_config(read_file(file), file);
-}
-
 }  // namespace
 
-bool may_replace(bool force) {
-  if (force) return true;
+ReplaceDefault replace_default() {
   const std::string asked = variable("ETAK_FORCE");
-  if (asked == "1") return true;
-  if (asked == "0") return false;
+  if (asked == "1" || asked == "0") return {asked == "1", "ETAK_FORCE"};
   if (!asked.empty()) throw Error::at("ETAK_FORCE", printable(asked), "1 or 0");
-  return user_config().force;
+  const std::string file = user_config_file();
+  sys::FileInfo info;
+  if (file.empty() || !sys::file_info(file, info)) return {false, "default"};
+  return {parse_user_config(read_file(file), file).force, file};
+}
+
+bool may_replace(bool force) {
+  return force || replace_default().replace;
+}
+
+void refuse_input(const std::string& file, std::span<const std::string> more) {
+  sys::FileInfo info;
+  if (!sys::file_info(file, info) || info.kind != sys::FileInfo::Kind::file) return;
+  ReadPlaces(accepted_inputs()).refuse(info, file);
+  ReadPlaces(more).refuse(info, file);
 }
 
 void check_output(const OutputArguments& arguments) {
-  if (!is_standard_output(arguments)) check_file_target(arguments.file, may_replace(arguments.force));
+  if (is_standard_output(arguments)) return;
+  check_file_target(arguments.file, may_replace(arguments.force));
+  refuse_input(arguments.file);
+}
+
+bool replaces_baseline(const std::string& path) {
+  check_file_target(path, true);
+  sys::FileInfo info;
+  if (!sys::file_info(path, info) || info.kind != sys::FileInfo::Kind::file) return false;
+  try {
+    (void)read_baseline(read_file(path), path);
+  } catch (const Error&) {
+    throw Error::at(path, "exists already and is no baseline of etak",
+                    "a new name, or a baseline: --write-baseline replaces nothing else");
+  }
+  return true;
+}
+
+void refuse_same_outputs(std::initializer_list<NamedOutput> outputs) {
+  namespace fs = std::filesystem;
+  std::map<std::tuple<std::uint64_t, std::uint64_t, fs::path>, const char*> known;
+  for (const auto& [option, path] : outputs) {
+    std::error_code failure;
+    if (path.empty() || path == "-" || fs::is_other(path, failure)) continue;  // a pipe takes any number
+    const fs::path whole = (fs::weakly_canonical(fs::absolute(path, failure), failure) / "").parent_path();
+    sys::FileInfo folder;
+    if (!sys::file_info(sys::path_text(whole.parent_path()), folder)) continue;  // its own check tells so
+    const auto [first, fresh] = known.try_emplace({folder.device, folder.number, whole.filename()}, option);
+    if (!fresh)
+      throw Error::at(option, printable(path, 200) + " is the output of " + first->second + " too",
+                      "a name of its own for each output");
+  }
 }
 
 }  // namespace etak::cli

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "app/cli/options/shard.h"
 #include "app/cli/output/progress.h"
+#include "app/cli/output/replace.h"
 #include "app/cli/pack/kept.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
@@ -14,9 +16,7 @@
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
 #include "core/base/files/watched_files.h"
-#include "core/base/hash/content_hash.h"
 #include "core/base/json/json_text.h"
-#include "core/base/shards/shard_document.h"
 #include "core/base/system.h"
 #include "core/scene/gltf.h"
 
@@ -61,36 +61,15 @@ std::vector<std::string> files_of(const std::string& input) {
   return files;
 }
 
-std::uint64_t bytes_of(const std::string& input) {
-  std::uint64_t out = 0;
-  for (const std::string& file : files_of(input)) {
-    sys::FileInfo info;
-    if (sys::file_info(file, info) && info.kind == sys::FileInfo::Kind::file) out += info.size;
-  }
-  return out;
-}
-
 std::vector<std::uint64_t> bytes_of(const std::vector<PackSettings>& jobs) {
   std::vector<std::uint64_t> out;
-  for (const PackSettings& job : jobs) out.push_back(bytes_of(job.input));
+  for (const PackSettings& job : jobs) {
+    std::uint64_t& bytes = out.emplace_back();
+    sys::FileInfo info;
+    for (const std::string& file : files_of(job.input))
+      if (sys::file_info(file, info) && info.kind == sys::FileInfo::Kind::file) bytes += info.size;
+  }
   return out;
-}
-
-std::string jobs_digest(const std::vector<PackSettings>& jobs) {
-  ContentHash hash;
-  for (const PackSettings& job : jobs)
-    for (const std::string& text : {job.input, job.out}) hash.add_part(text);
-  return hash.hex();
-}
-
-// A digest of what decides the atlases besides the inputs.
-std::string options_digest(const PackArguments& line, const std::vector<PackSettings>& jobs) {
-  ContentHash hash;
-  for (const PackSettings& job : jobs) hash.add_part(settings_text(job));
-  for (const std::string& text : {line.check.fail_on, line.check.config, line.memory}) hash.add_part(text);
-  for (const bool flag : {line.update, line.dry_run, line.no_validate, line.check.no_config})
-    hash.add_part(flag ? "1" : "0");
-  return hash.hex();
 }
 
 // A job in the report of all. The report of its atlas is moved in by six blanks, to stand below it.
@@ -112,18 +91,26 @@ std::string job_json(const PackSettings& job, int status, const std::string& fai
 
 }  // namespace
 
+void check_can_be_cut(const PackArguments& a) {
+  if (a.batch.empty() || a.rects.asked)
+    throw Error::at("etak pack", "no --batch to cut into shards", "--batch FILE");
+  if (a.watch) throw Error::at("--watch", "in a run that is cut into shards", "one of both");
+  refuse_pipes_of_shard({a.batch, a.check.config});
+}
+
 int pack_batch(PackArguments& line) {
+  if (!line.shard.empty()) check_can_be_cut(line);
   if (!line.settings.input.empty() || !line.settings.out.empty())
     throw Error::at("--batch", "an input or -o beside it", "both in the jobs of the file");
   const std::vector<PackSettings> jobs = read_jobs(line);
   if (!line.batch_report.empty()) check_file_target(line.batch_report, true);
+  refuse_input(line.batch_report);
   OutputArguments shown;
   shown.quiet = line.quiet;
   shown.progress = line.progress;
   const auto shard = asked_shard(line.shard);
-  const std::vector<std::uint64_t> bytes = shard ? bytes_of(jobs) : std::vector<std::uint64_t>();
-  const auto [first, last] = shard ? items_of(*shard, bytes) : std::pair(std::size_t{0}, jobs.size());
-  const std::string options = shard ? options_digest(line, jobs) : "";
+  const auto [first, last] =
+      shard ? items_of(*shard, bytes_of(jobs)) : std::pair(std::size_t{0}, jobs.size());
   if (shard)
     remark(shown, "shard " + shard->text() + ": " + std::to_string(last - first) + " of " +
                       std::to_string(jobs.size()) + " jobs");
@@ -131,7 +118,6 @@ int pack_batch(PackArguments& line) {
   int status = exit_ok;
   line.progress = "none";  // the line of all jobs is the only one
   std::vector<std::string> reports;
-  std::map<int, std::size_t> ended;  // jobs by status
   for (std::size_t i = first; i < last; ++i) {
     const PackSettings& job = jobs[i];
     line.settings = job;
@@ -147,23 +133,12 @@ int pack_batch(PackArguments& line) {
       complain(failure);
     }
     status = std::max(status, own);
-    ++ended[own];
     if (!line.batch_report.empty()) reports.push_back(job_json(job, own, failure, line.told));
     progress.advance(1, 0);
   }
   if (line.batch_report.empty()) return status;
-  std::string report =
+  const std::string report =
       json_document("etak-pack-batch/1", {{"version", json(ETAK_VERSION)}, {"jobs", json_lines(reports, 2)}});
-  if (shard) {
-    ShardMember member;
-    member.says = {{}, *shard, ETAK_VERSION, options, jobs_digest(jobs), {}, jobs.size()};
-    member.says.shard.items.emplace(first, last);
-    member.counts = {{"inputs", jobs.size()},
-                     {"rows", last - first},
-                     {"failed", ended[exit_failure]},
-                     {"refused", ended[exit_findings]}};
-    report = shard_document(report, "jobs", member);
-  }
   OutputFile(line.batch_report, report, true).commit();
   return status;
 }
@@ -173,13 +148,11 @@ std::vector<ShardPlan> plan_batch(const PackArguments& line, std::size_t count) 
   const std::vector<std::uint64_t> bytes = bytes_of(jobs);
   std::vector<ShardPlan> out;
   for (std::size_t i = 1; i <= count; ++i) {
-    ShardPlan& plan = out.emplace_back(ShardPlan{{i, count, {}}, jobs_digest(jobs), 0, {}});
-    plan.shard.items = items_of(plan.shard, bytes);
+    ShardPlan& plan = out.emplace_back();
+    plan.shard = {i, count, items_of({i, count, {}}, bytes)};
     std::set<std::string> files;
-    for (std::size_t j = plan.shard.items->first; j < plan.shard.items->second; ++j) {
-      plan.bytes += bytes[j];
+    for (std::size_t j = plan.shard.items->first; j < plan.shard.items->second; ++j)
       for (std::string& file : files_of(jobs[j].input)) files.insert(std::move(file));
-    }
     plan.files.assign(files.begin(), files.end());
   }
   return out;

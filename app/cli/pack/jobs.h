@@ -15,6 +15,9 @@ int pack_once(PackArguments& arguments);
 /// for a file of jobs that is not valid.
 int pack_batch(PackArguments& arguments);
 
+/// Throws Error for options with which --batch cannot be cut into shards.
+void check_can_be_cut(const PackArguments& arguments);
+
 /// How pack_batch() would cut the jobs into `count` shards, and what each reads. Throws as it does.
 std::vector<ShardPlan> plan_batch(const PackArguments& arguments, std::size_t count);
 

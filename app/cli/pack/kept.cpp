@@ -5,6 +5,8 @@
 
 #include "app/cli/output/replace.h"
 #include "core/base/files/output_file.h"
+#include "core/base/files/output_target.h"
+#include "core/base/files/read_places.h"
 #include "core/exchange/data_folder.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/file_hints.h"
@@ -52,9 +54,12 @@ std::optional<PackTold> atlas_from_cache(const PackArguments& a, const std::stri
   std::unique_ptr<OutputFolder> folder;
   if (!in_place) folder = a.kept->restored(*atlas, output, may_replace(a.force));
   if (!in_place && !folder) return std::nullopt;
+  if (in_place) remove_remains(output);
   std::unique_ptr<Output> page;
-  if (atlas->told.page) page = std::make_unique<OutputFile>(a.page_report, *atlas->told.page, true);
-  const std::array<Output*, 2> outputs{page.get(), folder.get()};
+  if (atlas->told.page)
+    page = std::make_unique<OutputFile>(a.page_report, *atlas->told.page, true,
+                                        strictest_mode(atlas->inputs) | 0200);
+  const std::array<Output*, 2> outputs{folder.get(), page.get()};
   put_in_place(outputs);
   return std::move(atlas->told);
 }

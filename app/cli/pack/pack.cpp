@@ -85,7 +85,7 @@ PackOptions options_of(const PackArguments& a) {
     return pictures(printable(name)).doors.open_source(config, name);
   };
   if (writes_floats(out.output.write))
-    (void)pictures("--format");  // throws before the work where the module is missing
+    (void)pictures("--textures");  // throws before the work where the module is missing
   out.output.overwrite = may_replace(a.force);
   out.output.update = a.update;
   out.output.dry_run = a.dry_run;

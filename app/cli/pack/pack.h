@@ -22,6 +22,7 @@ namespace etak::cli {
 struct PackArguments {
   PackSettings settings;   // of the atlas; every job of --batch has its own
   ValidateSettings check;  // of its pages
+  std::string format;      // of --format as typed
   std::string batch, batch_report, shard, memory, report = "text", page_report, progress = "auto";
   std::vector<std::string> page_links;
   bool update = false, dry_run = false, watch = false, stats = false, force = false, quiet = false;

@@ -6,6 +6,7 @@
 #include "core/atlas/texels/page_pixels.h"
 #include "core/base/error.h"
 #include "core/base/files/output_file.h"
+#include "core/base/files/read_places.h"
 #include "core/base/system.h"
 #include "core/base/text/ascii.h"
 #include "core/image/files/png.h"
@@ -117,7 +118,9 @@ std::unique_ptr<Output> PackPage::output(const PackResult& result, const Validat
   data_.findings = findings;
   if (folder == nullptr || !is_in_atlas_folder(arguments_)) {
     written_ = atlas_page(data_);
-    return std::make_unique<OutputFile>(arguments_.page_report, *written_, true);
+    std::vector<std::string> read;
+    for (const auto& [file, stamp] : result.inputs) read.push_back(file);
+    return std::make_unique<OutputFile>(arguments_.page_report, *written_, true, strictest_mode(read) | 0200);
   }
   folder->write(sys::path_text(std::filesystem::path(arguments_.page_report).filename()), atlas_page(data_));
   return nullptr;

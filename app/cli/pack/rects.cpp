@@ -10,6 +10,7 @@
 
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
+#include "app/cli/output/replace.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/memory.h"
@@ -122,6 +123,7 @@ int pack_rects_command(const PackRectsArguments& a) {
   }
   if (a.in.empty()) throw Error::at("--in", "is missing", "a file of rectangles");
   if (a.out.empty()) throw Error::at("-o", "is missing", "a file to write");
+  refuse_input(a.out);
   const std::string& rotate = a.input.empty() ? a.rotate : a.input;
   if (rotate != "0" && rotate != "1" && rotate != "true" && rotate != "false")
     throw Error::at(a.input.empty() ? "--rotate" : printable(a.input),

@@ -74,11 +74,12 @@ void choose_for_library(ChooseArguments& arguments, const ChooseOptions& options
   if (!arguments.all) {
     InputNames names;
     names.names = arguments.materials;
+    names.dataset = arguments.dataset;
     const std::vector<MaterialInput> inputs = find_inputs(names, arguments.library.when_asked(), 1);
     for (const std::string& each : alias_remarks(inputs)) out.remarks.push_back(each);
     total = inputs.size();
     for (const MaterialInput& input : inputs) {
-      const Material material = read_material(input, TableOptions{});
+      const Material material = read_material(input, table_options(arguments.tables));
       add(material, dataset_named(material, input.dataset, input.label()), out.remarks);
     }
     return;

@@ -13,7 +13,9 @@ namespace etak::cli {
 /// The options of `etak choose`.
 struct ChooseArguments {
   std::vector<std::string> materials;
-  std::string costs;  // path of a cost table; empty: the table that etak holds
+  TableSettings tables;
+  std::string dataset;  // of each, in place of the preferred one
+  std::string costs;    // path of a cost table; empty: the table that etak holds
   double budget = 1;
   RoughnessArguments rough;
   bool codes = false, all = false, measure = false, write_costs = false;

@@ -184,9 +184,9 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
 
 void say(const RenderArguments& arguments, const Scene& scene, const Stats& stats, const SceneNotes& notes,
          unsigned threads) {
+  for (const std::string& each : notes.remarks) remark(arguments.stats, each);
   if (arguments.stats.format == "json")
     return write_output(arguments.stats, json_form(scene, stats, notes, threads));
-  for (const std::string& each : notes.remarks) remark(arguments.stats, each);
   if (stats.frame_ms.size() > 1)
     remark(arguments.stats, stats.device + ", " + std::to_string(threads) +
                                 " threads: " + number(median(stats.frame_ms), 4) + " ms a frame (median), " +
@@ -211,8 +211,10 @@ void check_picture_name(const RenderArguments& arguments) {
   if (path.empty() && arguments.frames == 1)
     throw Error::at("etak render", "no picture to write", "-o FILE.png or -o FILE.exr");
   if (!path.empty() && !ends_with(path, ".png") && !ends_with(path, ".exr"))
-    throw Error::at(printable(path, 200), "has no ending that etak writes", ".png or .exr");
+    throw Error::at(printable(path, 200), "has no ending that etak writes",
+                    ".png or .exr, of which other programs make what is wanted");
   if (!path.empty()) check_file_target(path, arguments.stats.force);
+  if (!path.empty()) refuse_input(path);
   if (arguments.reference && arguments.device == "gl")
     throw Error::at("--reference", "is not drawn with gl", "--device cpu");
 }

@@ -99,7 +99,7 @@ int measure(ReportArguments& arguments) {
   timing.more_rounds = options.full ? full_more_rounds : quick_more_rounds;
   if (!options.full) timing.until = std::chrono::steady_clock::now() + quick_until;
   options.threads = thread_count(arguments.threads);
-  options.gl = arguments.device != "cpu";
+  options.gl = arguments.device == "gl" || arguments.device == "all";
   options.cpu = arguments.device != "gl";
   ReportHeader header = report_header(options);
   header.repeats = timing.repeats;

@@ -28,104 +28,98 @@ namespace fs = std::filesystem;
 // What is to be run.
 //   words      without the options that belong to the output, which the tasks and the merge have of their own
 //   format     of the result, and its file; empty: none was asked for
+//   form_given   --format, or --report of pack, is among the words
 //   validate, pack   the options, of these verbs
 struct AskedRun {
   std::string verb, format, result, baseline;
   std::vector<std::string> words;
-  bool threads = false, report = false;
+  bool threads = false, form_given = false;
   std::shared_ptr<ValidateArguments> validate;
   std::shared_ptr<PackArguments> pack;
 };
 
-// Takes an option with its value out of the words: "--format X", "--format=X", "-oX". Returns the value; nullopt
-// where it is not there.
-std::optional<std::string> taken(std::vector<std::string>& words, const std::vector<std::string>& names) {
-  std::optional<std::string> out;
-  for (std::size_t i = 0; i < words.size() && words[i] != "--";) {
-    const std::string& word = words[i];
-    std::size_t count = 0;
-    for (const std::string& name : names) {
-      const bool is_long = name.starts_with("--");
-      if (word == name && i + 1 < words.size()) {
-        out = words[i + 1];
-        count = 2;
-      } else if (is_long ? word.starts_with(name + '=')
-                         : word.starts_with(name) && word.size() > name.size()) {
-        out = word.substr(name.size() + (is_long ? 1 : 0));
-        count = 1;
-      }
-      if (count > 0) break;
-    }
-    if (count == 0) {
-      ++i;
-      continue;
-    }
-    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
-                words.begin() + static_cast<std::ptrdiff_t>(i + count));
+// Takes the options of these names out of the words, with their values where they have one: "--format X",
+// "--format=X", "-oX".
+void take_out(std::vector<std::string>& words, const std::vector<std::string>& names, bool has_value) {
+  for (auto word = words.begin(); word != words.end() && *word != "--";) {
+    const bool alone = std::ranges::count(names, *word) > 0;
+    const auto holds_value = [&](const std::string& name) {
+      return word->starts_with(name.starts_with("--") ? name + '=' : name);
+    };
+    if (alone && has_value && word + 1 != words.end())
+      word = words.erase(word, word + 2);
+    else if (alone || (has_value && std::ranges::any_of(names, holds_value)))
+      word = words.erase(word);
+    else
+      ++word;
   }
-  return out;
-}
-
-bool taken_flag(std::vector<std::string>& words, const std::vector<std::string>& names) {
-  return std::erase_if(words, [&](const std::string& word) { return std::ranges::count(names, word) > 0; }) >
-         0;
 }
 
 // Reads the words as the verb itself will, so that a mistake is told now and not by every task.
-AskedRun read_run(std::vector<std::string> words) {
+//   words   the verb and its arguments
+AskedRun read_words(std::vector<std::string> words) {
   AskedRun out;
-  if (words.empty())
-    throw Error::at("etak plan", "nothing to run",
-                    "-- and a verb with its arguments, such as -- validate textures");
   out.verb = words.front();
+  out.words.assign(words.begin() + 1, words.end());
   CommandLine line("", "etak");
   if (out.verb == "validate")
     declare_validate(line, out.validate = std::make_shared<ValidateArguments>());
   else if (out.verb == "pack")
     declare_pack(line, out.pack = std::make_shared<PackArguments>());
-  else if (out.verb == "f0")
-    add_f0(line);
-  else if (out.verb == "export")
-    add_export(line);
   else
-    throw Error::at("etak plan", "the verb " + in_quotes(out.verb),
-                    "validate, pack, f0 or export, which have shards");
-  std::vector<std::string> with_program = words;
-  with_program.insert(with_program.begin(), "etak");
-  (void)line.read(with_program);
-  words.erase(words.begin());
-  if (taken(words, {"--shard"})) throw Error::at("--shard", "in the run of a plan", "the run without it");
-  out.threads = std::ranges::any_of(words, [](const std::string& word) {
-    return word.starts_with("-j") || word.starts_with("--threads") || word.starts_with("--jobs");
-  });
+    throw Error::at("etak plan", "the verb " + in_quotes(out.verb), "validate or pack, which have shards");
+  words.insert(words.begin(), "etak");
+  (void)line.read(words);
+  const Command verb = line.verbs().front();
+  for (const char* help : {"--help", "--help-all"})
+    if (verb.find(help)->given()) throw Error::at(help, "in the run of a plan", "the run without it");
+  out.form_given = verb.find(out.pack ? "--report" : "--format")->given();
+  return out;
+}
+
+// Throws Error for options with which the run cannot be cut, or with which all tasks would write one file.
+void check_tasks(const AskedRun& run) {
+  const std::string& shard = run.pack ? run.pack->shard : run.validate->shard;
+  const CacheArguments& cache = run.pack ? run.pack->cache : run.validate->cache;
+  const bool page = run.pack && !run.pack->page_report.empty();
+  for (const auto& [option, given] : {std::pair{"--shard", !shard.empty()},
+                                      {"--cache-report", !cache.report.empty()},
+                                      {"--page-report", page}})
+    if (given) throw Error::at(option, "in the run of a plan", "the run without it");
+  if (run.pack)
+    check_can_be_cut(*run.pack);
+  else
+    check_can_be_cut(*run.validate);
+}
+
+AskedRun read_run(const std::vector<std::string>& words) {
+  if (words.empty())
+    throw Error::at("etak plan", "nothing to run",
+                    "-- and a verb with its arguments, such as -- validate textures");
+  AskedRun out = read_words(words);
+  check_tasks(out);
+  out.threads = (out.pack ? out.pack->threads : out.validate->threads) > 0;
   if (out.pack) {
-    if (out.pack->batch.empty()) throw Error::at("etak plan", "etak pack without --batch", "--batch FILE");
-    out.result = taken(words, {"--batch-report"}).value_or("");
-    out.format = "json";
-    out.report =
-        std::ranges::any_of(words, [](const std::string& word) { return word.starts_with("--report"); });
+    take_out(out.words, {"--batch-report"}, true);
   } else {
-    const auto format = taken(words, {"--format"}), result = taken(words, {"-o", "--output"});
-    out.result = result.value_or("");
-    out.format = format.value_or("");
-    if (out.validate) {
-      out.baseline = taken(words, {"--write-baseline"}).value_or("");
-      const std::vector<std::string>& paths = out.validate->paths;
-      (void)validate_config(out.validate->settings, paths.empty() ? "" : paths.front(),
-                            asked_materials(out.validate->library));
-      // The form that the ending of -o tells is settled by now.
-      out.format = format || result ? out.validate->output.format : "json";
-      if (!out.validate->fix_folder.empty() || !out.validate->mask_folder.empty() ||
-          out.validate->list_files || out.validate->list_rules)
-        throw Error::at("etak plan", "--fix, --mask, --list-files or --list-rules in the run",
-                        "a run that can be cut into shards");
-    } else if (out.format.empty()) {
-      out.format = out.result.ends_with(".csv") ? "csv" : out.result.ends_with(".jsonl") ? "jsonl" : "json";
-    }
-    taken_flag(words, {"--force"});
+    ValidateArguments& a = *out.validate;
+    (void)validate_config(a.settings, a.paths.empty() ? "" : a.paths.front(), asked_materials(a.library));
+    if (!is_standard_output(a.output)) out.result = a.output.file;
+    out.format = out.form_given || !out.result.empty() ? a.output.format : "json";
+    out.baseline = a.write_baseline;
+    take_out(out.words, {"--format", "-o", "--output", "--write-baseline"}, true);
+    take_out(out.words, {"--force"}, false);
   }
-  taken_flag(words, {"-q", "--quiet"});
-  out.words = std::move(words);
+  take_out(out.words, {"-q", "--quiet"}, false);
+  // What is left may still hold an output in a spelling that the words do not show, such as -qo FILE.
+  std::vector<std::string> left = out.words;
+  left.insert(left.begin(), out.verb);
+  const AskedRun rest = read_words(left);
+  if (rest.pack
+          ? !rest.pack->batch_report.empty()
+          : rest.form_given || !rest.validate->output.file.empty() || !rest.validate->write_baseline.empty())
+    throw Error::at("etak plan", "an output in one word with other options, such as -qo FILE",
+                    "-o, --format, --write-baseline or --batch-report as a word of its own");
   return out;
 }
 
@@ -159,13 +153,9 @@ std::vector<ShardPlan> planned_shards(const AskedRun& run, std::size_t count, Ru
     plan.folders = folders_of(request.paths);
     return plan_shards(std::move(request), count);
   }
-  if (run.pack) {
-    plan.common.push_back(run.pack->batch);
-    if (!run.pack->check.config.empty()) plan.common.push_back(run.pack->check.config);
-    return plan_batch(*run.pack, count);
-  }
-  throw Error::at("--format", "ninja of etak " + run.verb + ", whose tasks take milliseconds",
-                  "slurm, cuecmd, parallel or json");
+  plan.common.push_back(run.pack->batch);
+  if (!run.pack->check.config.empty()) plan.common.push_back(run.pack->check.config);
+  return plan_batch(*run.pack, count);
 }
 
 PlanFiles files_of(const RunPlan& plan, const std::string& format) {
@@ -177,14 +167,15 @@ PlanFiles files_of(const RunPlan& plan, const std::string& format) {
 
 std::string told(const PlanArguments& a, const RunPlan& plan) {
   const std::string out = shell_word(a.out);
-  const std::string next = a.format == "slurm" ? "sh " + out + "/submit.sh"
-                           : a.format == "cuecmd"
-                               ? "cuecmd " + out + "/tasks.cmds, then sh " + out + "/merge.sh"
+  const bool merges = !plan.merge.words.empty();
+  const std::string next = a.format == "slurm"    ? "sh " + out + "/submit.sh"
+                           : a.format == "cuecmd" ? "cuecmd " + out + "/tasks.cmds" +
+                                                        (merges ? ", then sh " + out + "/merge.sh" : "")
                            : a.format == "parallel" ? "sh " + out + "/run.sh"
                            : a.format == "ninja"    ? "ninja -C " + out
                                                     : out + "/plan.json names the commands";
   return grouped(plan.tasks.size()) + (plan.tasks.size() == 1 ? " task" : " tasks") +
-         " and a merge that writes " + plan.merge.writes + "; next: " + next;
+         (merges ? " and a merge that writes " + plan.merge.writes : "") + "; next: " + next;
 }
 
 bool has_same_files(const std::string& folder, const PlanFiles& files) {
@@ -209,7 +200,7 @@ int plan_run(const PlanArguments& a) {
   if (names_files)
     shards = planned_shards(run, a.tasks, plan);
   else
-    for (std::size_t i = 1; i <= a.tasks; ++i) shards.push_back(ShardPlan{{i, a.tasks, {}}, {}, 0, {}});
+    for (std::size_t i = 1; i <= a.tasks; ++i) shards.push_back(ShardPlan{{i, a.tasks, {}}, {}, {}});
   std::vector<std::string> merge{a.program, "merge"};
   for (ShardPlan& shard : shards) {
     PlanTask& task = plan.tasks.emplace_back();
@@ -223,7 +214,7 @@ int plan_run(const PlanArguments& a) {
     std::vector<std::string> own{"--shard", part, "-q"};
     if (run.pack) {
       own.insert(own.end(), {"--batch-report", task.writes});
-      if (!run.report) own.insert(own.end(), {"--report", "none"});
+      if (!run.form_given) own.insert(own.end(), {"--report", "none"});
     } else {
       own.insert(own.end(), {"--format", "json", "-o", task.writes, "--force"});
     }
@@ -232,10 +223,12 @@ int plan_run(const PlanArguments& a) {
     merge.push_back(task.writes);
     task.plan = std::move(shard);
   }
-  plan.merge.writes = run.result.empty() ? plan.out + "/result." + ending_of(run.format) : run.result;
-  merge.insert(merge.end(), {"--format", run.format, "-o", plan.merge.writes, "--force", "-q"});
-  if (!run.baseline.empty()) merge.insert(merge.end(), {"--write-baseline", run.baseline});
-  plan.merge.words = std::move(merge);
+  if (run.validate) {
+    plan.merge.writes = run.result.empty() ? plan.out + "/result." + ending_of(run.format) : run.result;
+    merge.insert(merge.end(), {"--format", run.format, "-o", plan.merge.writes, "--force", "-q"});
+    if (!run.baseline.empty()) merge.insert(merge.end(), {"--write-baseline", run.baseline});
+    plan.merge.words = std::move(merge);
+  }
   plan.again = {a.program,   "plan",    "--tasks", std::to_string(a.tasks),
                 "--format",  a.format,  "-o",      plan.out,
                 "--program", a.program, "--force", "-q",

@@ -4,68 +4,218 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <span>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/files/links.h"
+#include "core/base/hash/sha256.h"
 #include "core/base/system.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
+#include "core/exchange/data_folder.h"
+#include "core/image/picture_endings.h"
 
 namespace etak::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
 
 constexpr const char* option = "--changed-since";
 
-/// Runs git in a folder and returns what it prints. Its own messages go to standard error.
-///   expected   what should have been given, for the message where git refuses
-std::string git(const std::string& folder, std::vector<std::string> words, const std::string& given,
-                const char* expected) {
-  words.insert(words.begin(), {"git", "-C", folder});
-  std::string out;
-  int status = 0;
-  if (!sys::run_program(words, out, status))
-    throw Error::at(option, "git cannot be run: " + reason_of(errno), "git in PATH");
-  if (status != 0) throw Error::at(option, given, expected);
+// Variables that lead git to another repository, index or configuration are left out, as are those that change
+// what its arguments mean. Hooks set some of them; the working tree tells the same without them.
+Names git_environment() {
+  Names out = sys::environment();
+  std::erase_if(out, [](const std::string& variable) {
+    return variable.starts_with("GIT_") && !variable.starts_with("GIT_CEILING_DIRECTORIES=") &&
+           !variable.starts_with("GIT_DISCOVERY_ACROSS_FILESYSTEM=");
+  });
+  // Objects that a partial clone lacks are not fetched: git before 2.39.4 knows the first variable alone.
+  out.insert(out.end(), {"GIT_ALLOW_PROTOCOL=", "GIT_NO_LAZY_FETCH=1"});
   return out;
 }
 
-/// Adds the names of a list that is separated by NUL bytes, each behind `folder`.
-void add_names(std::string_view list, const fs::path& folder, std::vector<std::string>& out) {
-  while (!list.empty()) {
-    const std::size_t end = std::min(list.find('\0'), list.size());
-    if (end > 0) out.push_back(sys::path_text((folder / list.substr(0, end)).lexically_normal()));
-    list.remove_prefix(std::min(end + 1, list.size()));
+// git in a folder of a working tree. Its own messages go to standard error.
+class Git {
+ public:
+  // Throws Error where git finds no working tree, or takes a folder of the tree for a repository: a commit may
+  // bring a folder with all that git looks for, whose configuration would name programs.
+  explicit Git(const fs::path& folder)
+      : words_{"git",
+               "-C",
+               sys::path_text(folder),
+               "--no-pager",
+               "-c",
+               "core.fsmonitor=",
+               "-c",
+               "core.hooksPath=/dev/null",
+               "-c",
+               "safe.bareRepository=explicit"} {
+    const std::string shown = printable(words_[2], 200), expected = "a working tree of git";
+    std::string found = output({"rev-parse", "--absolute-git-dir"},
+                               shown + " lies in no repository that git accepts", expected);
+    found.pop_back();
+    const fs::path repository(found), here = fs::canonical(folder);
+    if (std::ranges::mismatch(repository, here).in1 == repository.end())
+      throw Error::at(option, shown + " lies in " + printable(found, 200) + ", which looks like a repository",
+                      expected);
+    // Filters are programs that turn a file into what git stores. The name of a setting ends at the first =.
+    for (const std::string& name :
+         parts_of(output({"config", "--null", "--name-only", "--get-regexp", "^filter\\."}), '\0')) {
+      const std::string filter = name.substr(0, name.rfind('.'));
+      if (filter.find('=') != filter.npos)
+        throw Error::at(option, "git's configuration has " + in_quotes(filter),
+                        "a filter without = in its name");
+      if (filters_.insert(filter).second)
+        for (const char* value : {".clean=", ".process=", ".required="})
+          words_.insert(words_.end(), {"-c", filter + value});
+    }
+  }
+
+  // What git prints. Throws Error where it refuses, unless there is no text for that.
+  std::string output(const Names& arguments, const std::string& refused = {},
+                     const std::string& expected = {}) const {
+    Names words = words_;
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::string out;
+    int status = 0;
+    if (!sys::run_program(words, git_environment(), out, status))
+      throw Error::at(option, "git cannot be run: " + reason_of(errno), "git in PATH");
+    if (status != 0 && !refused.empty()) throw Error::at(option, refused, expected);
+    return out;
+  }
+
+  // The parts of what git prints of these files and folders.
+  Names list(Names words, std::span<const std::string> named, const std::string& refused,
+             char separator = '\0') const {
+    words.emplace_back("--");
+    for (const std::string& name : named) words.push_back(":(literal)" + name);
+    return parts_of(
+        output(words, refused, "a commit that HEAD shares history with, in a clone that holds both"),
+        separator);
+  }
+
+  bool has_filters() const { return !filters_.empty(); }
+
+ private:
+  Names words_;
+  std::set<std::string> filters_;
+};
+
+// Takes away the files that are what Git LFS has stored for them, as the hashes in the index say. Without its
+// filter, git takes every file that it has to read for a changed one.
+void leave_out_stored(const Git& git, const fs::path& folder, Names& names) {
+  constexpr std::size_t names_at_once = 256;
+  std::set<std::string> stored;
+  for (std::size_t i = 0; git.has_filters() && i < names.size(); i += names_at_once)
+    for (const std::string& line :
+         git.list({"grep", "--cached", "-zaG", "--no-color", "--no-textconv", "--no-column",
+                   "--no-line-number", "--no-full-name", "--no-recurse-submodules", "-e", "^oid sha256:"},
+                  std::span(names).subspan(i, std::min(names_at_once, names.size() - i)), {}, '\n')) {
+      const Names parts = parts_of(line, '\0');
+      const fs::path path = folder / parts.front();
+      std::error_code ignored;
+      if (parts.size() == 2 && fs::is_regular_file(fs::symlink_status(path, ignored)) &&
+          parts.back() == "oid sha256:" + sha256_of_file(sys::path_text(path)))
+        stored.insert(parts.front());
+    }
+  std::erase_if(names, [&](const std::string& name) { return stored.contains(name); });
+}
+
+// Whether other files may need this one, as those of a set, of an atlas and of a scene do.
+bool belongs_to_others(const std::string& name) {
+  const std::string ending = lower_case(sys::path_text(fs::path(name).extension()));
+  return ending == ".json" || ending == ".gltf" || ending == ".bin" ||
+         (!ending.empty() && std::ranges::count(picture_endings, std::string_view(ending).substr(1)) > 0);
+}
+
+// Adds the files beside one that is gone: its other half may be among them.
+void add_files_beside(const fs::path& gone, Changed& out) {
+  std::error_code no_folder;
+  const fs::path folder = gone.has_parent_path() ? gone.parent_path() : ".";
+  for (const fs::directory_entry& each : fs::directory_iterator(folder, no_folder))
+    if (fs::is_regular_file(each.symlink_status()) && !each.path().filename().native().starts_with('.'))
+      out.files.push_back(sys::path_text(each.path().lexically_normal()));
+}
+
+bool is_full_folder(const fs::path& path) {
+  std::error_code failure;
+  return fs::is_directory(fs::symlink_status(path, failure)) && !fs::is_empty(path, failure);
+}
+
+void add_changes(const fs::path& folder, const Names& named, const std::string& commit, Changed& out) {
+  const Git git(folder);
+  const std::string shown = printable(sys::path_text(folder), 200);
+  // The hash, because a name could be taken for an option.
+  std::string hash =
+      git.output({"rev-parse", "--verify", "--quiet", "--end-of-options", commit + "^{commit}"},
+                 in_quotes(commit) + " is no commit of the repository of " + shown, "a branch, tag or hash");
+  hash.pop_back();
+  const std::string refused = "git cannot compare the files of " + shown;
+  // The index beside the commit, then the files beside the index.
+  Names names = git.list({"diff-index", "--cached", "--merge-base", "--name-only", "-z", "--relative",
+                          "--no-renames", "--ignore-submodules=none", hash},
+                         named, refused);
+  Names unstaged =
+      git.list({"ls-files", "-z", "--modified", "--others", "--exclude-standard"}, named, refused);
+  leave_out_stored(git, folder, unstaged);
+  names.insert(names.end(), unstaged.begin(), unstaged.end());
+  std::set<std::string> submodules;
+  for (const std::string& entry : git.list({"ls-files", "-z", "--stage"}, named, refused))
+    if (entry.starts_with("160000 ")) submodules.insert(entry.substr(entry.find('\t') + 1));
+  for (const std::string& name : names) {
+    std::error_code failure;
+    const fs::path path = (folder / name).lexically_normal();
+    const fs::file_status status = fs::symlink_status(path, failure);
+    const bool changed_submodule = submodules.erase(name) > 0;
+    if (is_full_folder(path)) {
+      out.folders.push_back(sys::path_text(path));
+    } else if (changed_submodule) {
+      throw Error::at(sys::path_text(path), "a submodule that has changed, and is not checked out",
+                      "its files (git submodule update --init)");
+    } else if (fs::exists(status) && !fs::is_directory(status)) {
+      const bool checked = belongs_to_others(name) || is_material_file_name(name);
+      if (checked) (void)path_beside(sys::path_text(folder), name);
+      out.files.push_back(sys::path_text(path));
+    } else if (belongs_to_others(name)) {
+      add_files_beside(path, out);
+    }
+  }
+  // What has changed in the others and is not committed there. A way through links leads to no submodule.
+  for (const std::string& name : submodules) {
+    const fs::path path = (folder / name).lexically_normal();
+    if (!is_full_folder(path) || fs::canonical(path) != fs::canonical(folder) / name) continue;
+    if (fs::exists(path / ".git"))
+      add_changes(path, {"."}, "HEAD", out);
+    else
+      out.folders.push_back(sys::path_text(path));
   }
 }
 
 }  // namespace
 
-std::vector<std::string> changed_since(const std::string& commit, const std::vector<std::string>& paths) {
-  std::vector<std::string> out;
-  for (const std::string& path : paths.empty() ? std::vector<std::string>{"."} : paths) {
-    std::error_code ignored;
-    const bool is_folder = fs::is_directory(path, ignored);
-    fs::path folder = is_folder ? fs::path(path) : fs::path(path).parent_path();
-    if (folder.empty()) folder = ".";
-    const std::string what = is_folder ? "." : fs::path(path).filename().string();
-    // The hash, because a name could be taken for an option.
-    std::string hash =
-        git(folder.string(), {"rev-parse", "--verify", "--quiet", "--end-of-options", commit + "^{commit}"},
-            in_quotes(commit) + " is no commit of the repository of " + printable(folder.string(), 200),
-            "a branch, tag or hash");
-    while (!hash.empty() && hash.back() == '\n') hash.pop_back();
-    const auto names = [&](std::vector<std::string> words) {
-      words.insert(words.end(), {"--", ":(literal)" + what});
-      add_names(git(folder.string(), std::move(words), "git cannot compare with " + in_quotes(commit),
-                    "a commit that HEAD shares history with"),
-                folder, out);
-    };
-    names({"diff", "--name-only", "-z", "--relative", "--no-ext-diff", "--diff-filter=d", "--merge-base",
-           hash});
-    names({"ls-files", "-z", "--others", "--exclude-standard"});
+Changed changed_since(const std::string& commit, const std::vector<std::string>& paths) {
+  std::map<std::string, Names> named;  // by the folder that git is asked in
+  for (const std::string& path : paths.empty() ? Names{"."} : paths) {
+    std::error_code failure;
+    const bool is_folder = fs::is_directory(path, failure);
+    if (!fs::exists(fs::symlink_status(path, failure)))
+      throw Error::at(option, printable(path, 200) + " does not exist",
+                      "files and folders of a working tree");
+    const std::string folder = is_folder ? path : sys::path_text(fs::path(path).parent_path());
+    named[folder.empty() ? "." : folder].push_back(is_folder ? "."
+                                                             : sys::path_text(fs::path(path).filename()));
   }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  Changed out;
+  for (const auto& [folder, names] : named) add_changes(folder, names, commit, out);
+  for (Names* const list : {&out.files, &out.folders}) {
+    std::ranges::sort(*list);
+    list->erase(std::ranges::unique(*list).begin(), list->end());
+  }
   return out;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/validate/request.h"
 
+#include <utility>
+
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
 #include "app/cli/options/shard.h"
@@ -31,7 +33,9 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
       throw Error::at("--changed-since", "is given beside --files-from", "one of both");
     arguments.allow_empty = true;
     out.list = "--changed-since " + printable(arguments.changed_since);
-    out.listed = changed_since(arguments.changed_since, arguments.paths);
+    Changed changed = changed_since(arguments.changed_since, arguments.paths);
+    out.listed = std::move(changed.files);
+    out.paths = std::move(changed.folders);
   } else {
     out.paths = arguments.paths;
   }

@@ -18,6 +18,7 @@
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
 #include "core/base/files/output_tree.h"
+#include "core/base/files/read_places.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/base/system.h"
@@ -34,6 +35,8 @@ namespace etak::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr const char* repairs_page = "repairs.html";  // in the folder of --fix
 
 std::string form_of(const ValidationReport& report, const ValidateArguments& arguments,
                     const Settings& settings) {
@@ -137,12 +140,19 @@ void check_folder(const char* option, const std::string& folder) {
   check_folder_target(folder, {}, Replace::files);
 }
 
-// Checks before the work whether the outputs can be written. A baseline is always replaced, because every run
-// with --write-baseline writes it anew.
+// Checks before the work whether the outputs can be written.
 void check_targets(const ValidateArguments& arguments) {
   check_output(arguments.output);
   check_cache_report(arguments.cache, may_replace(arguments.output.force));
-  if (!arguments.write_baseline.empty()) check_file_target(arguments.write_baseline, true);
+  if (!arguments.write_baseline.empty()) (void)replaces_baseline(arguments.write_baseline);
+  const std::string& fix = arguments.fix_folder;
+  refuse_same_outputs({{"-o", arguments.output.file},
+                       {"--write-baseline", arguments.write_baseline},
+                       {"--cache-report", arguments.cache.report},
+                       {"--cache", arguments.cache.folder},
+                       {"--mask", arguments.mask_folder},
+                       {"--fix", fix},
+                       {"--fix", fix.empty() ? "" : fix + '/' + repairs_page}});
   if (!arguments.mask_folder.empty()) check_folder("--mask", arguments.mask_folder);
   if (arguments.fix_folder.empty()) return;
   refuse_inputs_below(arguments.fix_folder, arguments.paths);
@@ -154,8 +164,9 @@ void check_targets(const ValidateArguments& arguments) {
 std::unique_ptr<Output> repaired_copies(const ValidateArguments& arguments, const Settings& settings,
                                         ValidationReport& report) {
   if (arguments.fix_folder.empty()) return nullptr;
-  refuse_inputs_below(arguments.fix_folder, checked_paths(report));
+  auto originals = refuse_inputs_below(arguments.fix_folder, checked_paths(report));
   auto copies = std::make_unique<OutputTree>(arguments.fix_folder, may_replace(arguments.output.force));
+  copies->keep_off(std::move(originals));
   RepairPage page;
   RepairRequest request;
   request.settings = settings;
@@ -167,27 +178,9 @@ std::unique_ptr<Output> repaired_copies(const ValidateArguments& arguments, cons
   };
   report.repairs = repair_files(report, request, *copies);
   if (report.repairs->files.empty()) return nullptr;
-  copies->write("repairs.html", page.html(*report.repairs, ETAK_VERSION));
+  copies->write(repairs_page, page.html(*report.repairs, ETAK_VERSION),
+                strictest_mode(checked_paths(report)));
   return copies;
-}
-
-// Throws Error for options that need the results of all shards.
-void check_shard(const ValidateArguments& a) {
-  if (a.shard.empty()) return;
-  (void)asked_shard(a.shard);
-  const auto refuse = [](const char* option_, const char* found, const char* expected) {
-    throw Error::at(option_, found, expected);
-  };
-  if (a.list_files) refuse("--list-files", "with --shard", "one of both");
-  if (!a.fix_folder.empty())
-    refuse("--fix", "with --shard: its page and its names belong to one run", "--fix without --shard");
-  if (!a.mask_folder.empty())
-    refuse("--mask", "with --shard: the names of masks are given out over all findings",
-           "--mask without --shard");
-  if (!a.write_baseline.empty())
-    refuse("--write-baseline", "with --shard: a baseline holds the findings of all shards",
-           "etak merge SHARD... --write-baseline FILE");
-  refuse_pipes_of_shard(a.paths);
 }
 
 int list_found_files(ValidateArguments& arguments) {
@@ -211,7 +204,13 @@ int check_files(ValidateArguments& arguments) {
   const auto least = severity_named(arguments.min_severity);
   if (!arguments.min_severity.empty() && (!least || *least == Severity::off))
     throw Error::at("--min-severity", printable(arguments.min_severity), "info, warning or error");
-  check_shard(arguments);
+  if (!arguments.shard.empty()) {
+    (void)asked_shard(arguments.shard);
+    check_can_be_cut(arguments);
+    if (!arguments.write_baseline.empty())
+      throw Error::at("--write-baseline", "in one shard, and a baseline holds the findings of all",
+                      "etak merge SHARD... --write-baseline FILE");
+  }
   if (arguments.list_files) return list_found_files(arguments);
   check_targets(arguments);
   // A look-up in a cache takes microseconds, of which memory that comes anew from the system is a good part.
@@ -227,6 +226,7 @@ int check_files(ValidateArguments& arguments) {
                                  " results of " + grouped(report.shard->groups) + " groups of files");
   tell_not_found(arguments, report);
   std::unique_ptr<Output> marks;
+  arguments.output.read = checked_paths(report);
   if (!arguments.mask_folder.empty())
     marks = masks(report, settings, picture_door(), arguments.mask_folder, thread_count(arguments.threads));
   const std::unique_ptr<Output> copies = repaired_copies(arguments, settings, report);
@@ -239,6 +239,17 @@ int check_files(ValidateArguments& arguments) {
   if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
   if (!arguments.watch) keep_to_end(std::move(report));
   return status;
+}
+
+void check_can_be_cut(const ValidateArguments& a) {
+  for (const auto& [option, given] : {std::pair{"--list-files", a.list_files},
+                                      {"--list-rules", a.list_rules},
+                                      {"--watch", a.watch},
+                                      {"--fix", !a.fix_folder.empty()},
+                                      {"--mask", !a.mask_folder.empty()}})
+    if (given) throw Error::at(option, "in a run that is cut into shards", "one of both");
+  refuse_pipes_of_shard(a.paths);
+  refuse_pipes_of_shard({a.files_from, a.baseline, a.settings.config});
 }
 
 VerdictOptions verdict_options(const ValidateArguments& arguments) {
@@ -262,12 +273,17 @@ int finish_report(const ValidateArguments& arguments, const Settings& settings, 
   std::unique_ptr<Output> baseline;
   if (!arguments.write_baseline.empty()) {
     const std::vector<KnownDefect> known = baseline_of(report);
-    baseline = std::make_unique<OutputFile>(arguments.write_baseline, baseline_json(known), true);
+    baseline = std::make_unique<OutputFile>(arguments.write_baseline, baseline_json(known),
+                                            replaces_baseline(arguments.write_baseline));
     remark(arguments.output,
            arguments.write_baseline + ": " + std::to_string(known.size()) + " findings recorded");
   }
   if (verdict.max_warnings && report.warnings > *verdict.max_warnings) report.passed = false;
-  const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, settings));
+  // The HTML form shows the pictures.
+  const unsigned most_mode =
+      arguments.output.format == "html" ? strictest_mode(checked_paths(report)) | 0200 : 0777;
+  const std::unique_ptr<Output> said =
+      output(arguments.output, form_of(report, arguments, settings), most_mode);
   beside.push_back(baseline.get());
   beside.push_back(said.get());
   put_in_place(beside);

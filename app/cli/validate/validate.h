@@ -45,6 +45,9 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
 /// Checks files, or lists them with --list-files. Returns the exit status; throws Error.
 int check_files(ValidateArguments& arguments);
 
+/// Throws Error for options that need the whole run, and for pipes, which one task alone can read.
+void check_can_be_cut(const ValidateArguments& arguments);
+
 /// Tells on standard error what was not checked, and why.
 void tell_not_found(const ValidateArguments& arguments, const ValidationReport& report);
 

@@ -22,6 +22,9 @@ void add_choose(CommandLine& line) {
               "largest difference of F at any angle and of any pixel, CIEDE2000; 0: the least there is")
       .show_default();
   verb.flag("--codes", arguments->codes, "the budget is in 8-bit sRGB codes of the worst channel");
+  verb.option("--dataset", arguments->dataset, "dataset of each material instead of the preferred one")
+      .value_name("ID");
+  add_table_options(verb, arguments->tables);
   add_roughness_options(verb, arguments->rough, "of a library material's sphere that is compared");
   const Option measure =
       verb.flag("--measure", arguments->measure,

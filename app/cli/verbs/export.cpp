@@ -2,43 +2,29 @@
 #include <memory>
 
 #include "app/cli/export/run.h"
-#include "app/cli/options/shard.h"
+#include "app/cli/options/color.h"
 #include "app/cli/verbs.h"
-#include "core/exchange/engine_values.h"
 
 namespace etak::cli {
-namespace {
-
-// The words that --to takes. "gltf" is the file format; its values are asked for by --to values --target
-// gltf.
-std::vector<std::string> forms_and_targets() {
-  std::vector<std::string> out{"mtlx", "gltf", "values"};
-  for (const EngineTarget& each : engine_targets())
-    if (each.id != "gltf") out.emplace_back(each.id);
-  return out;
-}
-
-}  // namespace
 
 void add_export(CommandLine& line) {
   const auto arguments = std::make_shared<ExportArguments>();
   Command verb = line.verb("export", "materials as MaterialX, glTF or the values of an engine");
   add_input_options(verb, arguments->inputs);
-  verb.option("--to", arguments->to,
+  verb.option("--to", arguments->wanted,
               "mtlx (MaterialX 1.39, OpenPBR), gltf (spheres with the material), values (what to type or "
-              "paste), or the values of one target")
+              "paste), or the values of targets, with ',' between")
       .required()
-      .one_of(forms_and_targets());
+      .separated_by(',')
+      .one_at_a_time()
+      .words(forms_and_targets());
   verb.flag("--all", arguments->inputs.all, "every material of the library");
   add_all_datasets_option(verb, arguments->inputs);
   verb.option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")
       .value_name("ID");
   add_roughness_options(verb, arguments->rough, "of the surface");
-  verb.option("--diffuse", arguments->diffuse,
-              "diffuse colour of dielectrics, linear R,G,B (default black, and clear where the data say so)")
-      .separated_by(',')
-      .values(3)
-      .value_name("R,G,B");
+  add_color_option(verb, "--diffuse", arguments->diffuse,
+                   "diffuse colour of dielectrics, linear (default black, and clear where the data say so)");
   verb.option("--opacity", arguments->opacity, "0 to 1").show_default();
   verb.option("--fit", arguments->fit,
               "what becomes of a colour above 1 or below 0: clamp (each channel) or preserve-hue (the "
@@ -52,15 +38,15 @@ void add_export(CommandLine& line) {
       .separated_by(',')
       .value_name("TARGET,...");
   verb.option("--gltf-form", arguments->gltf_form,
-              "metal-rough (dielectrics with KHR_materials_ior and _specular) or specular-glossiness")
-      .one_of({"metal-rough", "specular-glossiness"})
+              "as in pack: specular-ior (metal-rough, and dielectrics with KHR_materials_ior and _specular; "
+              "metal-rough is its older name here) or specular-glossiness")
+      .one_of({"specular-ior", "specular-glossiness", "metal-rough"})
       .show_default();
   add_compute_options(verb, arguments->compute);
   add_table_options(verb, arguments->tables);
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output,
                      {"auto", "table", "text", "csv", "json", "gltf", "glb", "mtlx"});
-  add_shard_option(verb, arguments->shard);
   add_thread_option(verb, arguments->threads);
   verb.footer(
       "--format auto is table for values, mtlx, and gltf (glb where -o ends in it); text is what to paste.\n"

@@ -5,7 +5,6 @@
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
 #include "app/cli/options/options.h"
-#include "app/cli/options/shard.h"
 #include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/verbs.h"
@@ -26,14 +25,10 @@ void add_f0(CommandLine& line) {
   verb.option("--dataset", arguments->inputs.dataset,
               "dataset to take instead of the preferred one: its id or unique beginning")
       .value_name("ID");
-  verb.flag("--axis-average", arguments->axis_average,
-            "crystals as random grains: (2 ordinary + extraordinary) / 3, or a third of alpha, beta and "
-            "gamma each");
   add_compute_options(verb, arguments->compute);
   add_table_options(verb, arguments->tables);
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "html"});
-  add_shard_option(verb, arguments->shard);
   add_progress_option(verb, arguments->output.progress);
   add_thread_option(verb, arguments->threads);
   verb.flag("-v,--verbose", arguments->verbose,

@@ -11,13 +11,14 @@
 #include "core/base/memory.h"
 #include "core/base/parallel.h"
 #include "core/material/json.h"
+#include "core/material/optics_class.h"
 
 namespace etak::cli {
 namespace {
 
 struct ImportArguments {
   InputNames inputs;
-  std::string id, name, material_class;
+  std::string id, name;
   TableSettings tables;
   OutputArguments output;
   unsigned threads = 0;
@@ -61,12 +62,20 @@ int import_inputs(ImportArguments& arguments) {
   Material material = merged(std::move(materials));
   if (!arguments.id.empty()) material.id = arguments.id;
   if (!arguments.name.empty()) material.name = arguments.name;
-  if (!arguments.material_class.empty()) material.material_class = arguments.material_class;
   if (material.datasets.size() > 1) material.preferred_reason = "the first of the imported datasets";
   const std::string text = format_material(material);
-  // Reading the file again finds an --id or --class that the schema does not allow.
+  // Reading the file again finds an --id that the schema does not allow.
   (void)parse_material(text, "the imported material");
   write_output(arguments.output, text);
+  if (const std::string class_said = class_remark(material); !class_said.empty())
+    remark(arguments.output, material.id + ": " + class_said);
+  const auto unknown = std::count_if(material.datasets.begin(), material.datasets.end(),
+                                     [](const Dataset& d) { return d.origin == Origin::unknown; });
+  if (unknown > 0)
+    remark(arguments.output, material.id + ": " +
+                                 (unknown > 1 ? std::to_string(unknown) + " inputs do" : "the input does") +
+                                 " not say whether the numbers were measured: origin unknown; --origin "
+                                 "states it");
   return exit_ok;
 }
 
@@ -85,7 +94,6 @@ void add_import(CommandLine& line) {
   add_input_options(verb, arguments->inputs);
   verb.option("--id", arguments->id, "id of the material, [a-z0-9_] (default: from the page's folder)");
   verb.option("--name", arguments->name, "name of the material");
-  verb.option("--class", arguments->material_class, "class, such as metal or glass").value_name("CLASS");
   add_table_options(verb, arguments->tables);
   add_output_options(verb, arguments->output, {"json"});
   add_thread_option(verb, arguments->threads);

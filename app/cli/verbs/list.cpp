@@ -17,6 +17,7 @@ struct ListArguments {
   std::vector<std::string> names;
   std::string zone, names_from;
   CatalogueFilter filter;
+  F0Settings compute;
   OutputArguments output;
   Library library;
   unsigned threads = 0;
@@ -31,7 +32,7 @@ int list_names(ListArguments& arguments) {
     names.insert(names.end(), more.begin(), more.end());
   }
   if (names.empty()) throw Error::at(arguments.names_from, "holds no name", "a name a line");
-  const F0Solver solver{F0Options{}};
+  const F0Solver solver{f0_options(arguments.compute, arguments.library)};
   std::vector<NameAnswer> answers;
   for (const std::string& each : names) answers.push_back(answer_name(arguments.library.get(), solver, each));
   const std::string& format = arguments.output.format;
@@ -54,9 +55,9 @@ int run(ListArguments& arguments) {
   check_classes(arguments.filter.classes);
   for (const Zone zone : {Zone::below, Zone::inside, Zone::above})
     if (arguments.zone == name(zone)) arguments.filter.zone = zone;
-  const F0Solver solver{F0Options{}};
-  const std::vector<CatalogueEntry> all =
-      catalogue(arguments.library.get(), solver, thread_count(arguments.threads));
+  const F0Solver solver{f0_options(arguments.compute, arguments.library)};
+  const std::vector<CatalogueEntry> all = catalogue(
+      arguments.library.get(), solver, thread_count(arguments.threads), arguments.compute.axis_average);
   std::vector<const CatalogueEntry*> shown;
   for (const CatalogueEntry& entry : all)
     if (fits(entry, arguments.filter)) shown.push_back(&entry);
@@ -86,6 +87,7 @@ void add_list(CommandLine& line) {
   verb.option("--zone", arguments->zone,
               "only where the luminance of F0 lies below, inside or above 0.20-0.45; surfaces have no F0")
       .one_of({"below", "inside", "above"});
+  add_compute_options(verb, arguments->compute);
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "markdown"});
   add_thread_option(verb, arguments->threads);

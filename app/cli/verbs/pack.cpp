@@ -9,9 +9,11 @@
 
 #include "app/cli/options/files.h"
 #include "app/cli/options/shard.h"
+#include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/pack/pack.h"
 #include "app/cli/verbs.h"
+#include "core/base/text/ascii.h"
 
 namespace etak::cli {
 namespace {
@@ -38,9 +40,28 @@ bool in_short_help(std::string_view name) {
   return name == "page" || name == "islands" || name == "format" || name == "gltf-form";
 }
 
+// --gloss is a number in every other verb.
+void add_older_gloss(Command verb, PackSettings& settings, const std::vector<std::string>& words) {
+  verb.option("--gloss", settings.gloss, "older name of --gloss-channel")
+      .one_of(words)
+      .group("")
+      .each([](const std::string&) { complain("--gloss: is now called --gloss-channel"); });
+}
+
+// --format is the form of what a verb says, as everywhere; it was the form of the textures.
+void take_format(PackArguments& a, const std::string& typed) {
+  const std::string word = lower_case(typed);
+  if (word == "text" || word == "json" || word == "none") {
+    a.report = word;
+    return;
+  }
+  a.settings.format = typed;
+  complain("--format " + typed + ": the files of the textures are now asked for by --textures");
+}
+
 void add_settings(Command verb, PackSettings& settings) {
   for (const PackSettingRow& row : pack_setting_rows()) {
-    const std::string name = "--" + std::string(row.name);
+    const std::string name = row.option_name();
     Option option =
         std::visit([&](auto member) { return add_setting(verb, row, name, settings.*member); }, row.value);
     if (!in_short_help(row.name)) option.group(std::string(row.group));
@@ -48,6 +69,7 @@ void add_settings(Command verb, PackSettings& settings) {
     if (!row.words.empty()) option.one_of(row.word_list());
     if (!row.value_name.empty()) option.value_name(std::string(row.value_name));
     if (row.is(PackSettingRow::commas)) option.separated_by(',');
+    if (row.name == "gloss") add_older_gloss(verb, settings, row.word_list());
     if (!row.is(PackSettingRow::shown)) continue;
     const auto* const text = std::get_if<std::string PackSettings::*>(&row.value);
     if (text != nullptr && (settings.**text).empty())
@@ -63,10 +85,14 @@ void add_output_group(Command verb, PackArguments& a) {
   verb.flag("-u,--update", a.update, "do nothing where the result of the same input and options is in place")
       .group(group);
   verb.flag("--dry-run", a.dry_run, "read, lay out and report, but write nothing").group(group);
-  verb.option("--report", a.report, "form of the report on standard output: text, json or none")
+  verb.option("--report", a.report, "form of the report on standard output: text, json or none; as --format")
       .one_of({"text", "json", "none"})
       .show_default()
       .group(group);
+  verb.option("--format", a.format, "form of the report: text, json or none")
+      .value_name("FORM")
+      .group(group)
+      .each([&a](const std::string& typed) { take_format(a, typed); });
   verb.option("--page-report", a.page_report,
               "HTML page to write: textures, layout, what was left out, findings")
       .value_name("FILE")
@@ -102,7 +128,7 @@ void add_run_options(Command verb, PackArguments& a) {
       .value_name("FILE")
       .group(group);
   verb.option("--batch-report", a.batch_report,
-              "file for the reports of all jobs as JSON; with --shard what etak merge joins")
+              "file for the reports of all jobs, or those of the shard, as JSON")
       .value_name("FILE")
       .group(group);
   add_shard_option(verb, a.shard);

@@ -23,8 +23,8 @@ void add_report(CommandLine& line) {
   const Option quick =
       verb.flag("--quick", arguments->quick, "coarser grids, fewer repeats: under a minute (the default)");
   verb.flag("--full", arguments->full, "the whole grids and repeats: some minutes").excludes(quick);
-  verb.option("--device", arguments->device, "what pictures are timed on")
-      .one_of({"cpu", "gl", "all"})
+  verb.option("--device", arguments->device, "what pictures are timed on; auto: cpu")
+      .one_of({"auto", "cpu", "gl", "all"})
       .show_default();
   verb.flag("--force", arguments->force, "replace an earlier report; ETAK_FORCE=1 says the same");
   verb.flag("-q,--quiet", arguments->quiet, "no remarks and no progress");

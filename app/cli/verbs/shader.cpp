@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/cli/options/scene.h"
 #include "app/cli/output/output.h"
@@ -9,28 +10,19 @@
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/number.h"
 #include "core/pages/lists/lists.h"
 #include "core/render/glsl/glsl_text.h"
+#include "core/render/glsl/shader_function.h"
 
 namespace etak::cli {
 namespace {
 
 struct ShaderArguments {
   SceneArguments scene;
-  std::string hemispheres, choice, layout, material, defines;
-  bool es = false, vertex = false;
+  std::string hemispheres, choice, layout, material, defines, vertex, language = "glsl";
+  bool es = false, vulkan = false, function = false, mesh = false;
   OutputArguments output;
 };
-
-// The number of lights of --lights N; none where --lights names a file or is not given. Throws Error.
-std::optional<int> light_count(const std::string& text) {
-  double count = 0;
-  if (text.empty() || !parse_number(text, count)) return std::nullopt;
-  if (!(count >= 0 && count <= 64 && count == std::floor(count)))
-    throw Error::at("--lights", text, "0 to 64 directional lights, or a file");
-  return static_cast<int>(count);
-}
 
 // Takes subject and model from the result of `etak choose`: the material's mean texel and its chosen model.
 MaterialVariant take_choice(ShaderArguments& arguments) {
@@ -42,20 +34,13 @@ MaterialVariant take_choice(ShaderArguments& arguments) {
   return variant;
 }
 
-Scene shader_scene(ShaderArguments& arguments) {
+Scene shader_scene(ShaderArguments& arguments, SceneNotes& notes) {
   std::optional<MaterialVariant> variant;
   if (!arguments.choice.empty()) variant = take_choice(arguments);
-  const std::optional<int> count = light_count(arguments.scene.lights);
-  if (count) arguments.scene.lights.clear();
-  SceneNotes notes;
   Scene scene = scene_of(arguments.scene, notes);
   if (variant) {
     scene.specular_values = variant->values;
     validate(scene);
-  }
-  if (count) {
-    scene.lights.lights = spread_lights(*count);
-    scene.lights.hemispheres.reset();
   }
   if (!arguments.hemispheres.empty()) {
     if (!scene.lights.hemispheres) scene.lights.hemispheres.emplace();
@@ -82,13 +67,41 @@ std::optional<TextureUse> textures_of(ShaderArguments& arguments) {
   return shader.use;
 }
 
+// The BRDF alone. Throws Error for options that say how a picture is drawn.
+std::string function_of(ShaderArguments& arguments, ShaderLanguage language) {
+  const std::string asked = arguments.function ? "--function" : "--language " + arguments.language;
+  for (const auto& [given, option] :
+       {std::pair(arguments.es, "--es"), std::pair(arguments.vulkan, "--vulkan"),
+        std::pair(arguments.mesh, "--mesh"), std::pair(!arguments.vertex.empty(), "--vertex"),
+        std::pair(!arguments.layout.empty(), "--layout"), std::pair(!arguments.defines.empty(), "--defines")})
+    if (given)
+      throw Error::at(option, "given beside " + asked + ", which writes the BRDF alone", "one of them");
+  SceneNotes notes;
+  const std::string text = shader_function(shader_scene(arguments, notes), language);
+  return arguments.output.format == "json" ? shader_function_json(text, language, notes.remarks) : text;
+}
+
 int run(ShaderArguments& arguments) {
-  const GlslVersion version = arguments.es ? GlslVersion::es_300 : GlslVersion::core_330;
+  const auto names = shader_language_names();
+  const auto language =
+      static_cast<ShaderLanguage>(std::ranges::find(names, arguments.language) - names.begin());
+  if (arguments.function || language != ShaderLanguage::glsl) {
+    write_output(arguments.output, function_of(arguments, language));
+    return exit_ok;
+  }
+  if (arguments.es && arguments.vulkan) throw Error::at("--es", "given beside --vulkan", "one of them");
+  const GlslVersion version = arguments.es       ? GlslVersion::es_300
+                              : arguments.vulkan ? GlslVersion::vulkan_450
+                                                 : GlslVersion::core_330;
   const std::optional<TextureUse> textures = textures_of(arguments);
-  const Scene scene = shader_scene(arguments);
-  const GlslText text = textures ? glsl_text(scene, *textures, version) : glsl_text(scene, version);
-  write_output(arguments.output, arguments.output.format == "json" ? shader_json(text, version)
-                                 : arguments.vertex                ? text.vertex
+  SceneNotes notes;
+  const Scene scene = shader_scene(arguments, notes);
+  const bool mesh = arguments.mesh || arguments.vertex == "mesh";
+  const GlslText text = mesh       ? glsl_mesh_text(scene, textures ? &*textures : nullptr, version)
+                        : textures ? glsl_text(scene, *textures, version)
+                                   : glsl_text(scene, version);
+  write_output(arguments.output, arguments.output.format == "json" ? shader_json(text, version, notes.remarks)
+                                 : !arguments.vertex.empty()       ? text.vertex
                                                                    : annotated_fragment(text));
   return exit_ok;
 }
@@ -97,11 +110,8 @@ int run(ShaderArguments& arguments) {
 
 void add_shader(CommandLine& line) {
   const auto arguments = std::make_shared<ShaderArguments>();
-  Command verb = line.verb("shader", "the GLSL that draws a material: what it needs and nothing else");
+  Command verb = line.verb("shader", "the shader that draws a material: what it needs and nothing else");
   add_scene_options(verb, arguments->scene);
-  verb.find("--lights")
-      ->help("number of directional lights, or a light setup; default three lights and two hemispheres")
-      .value_name("N|FILE");
   verb.option("--hemispheres", arguments->hemispheres,
               "light of two hemispheres; FORM: corrected (the default), wide or printed")
       .may_lack_value()
@@ -123,12 +133,28 @@ void add_shader(CommandLine& line) {
               "define a line")
       .reads_file()
       .value_name("FILE");
+  verb.flag("--function", arguments->function,
+            "the BRDF alone, as a function of two directions, without a picture around it");
+  const auto languages = shader_language_names();
+  verb.option("--language", arguments->language,
+              "language of the text; all but glsl hold the BRDF alone, as --function does")
+      .one_of({languages.begin(), languages.end()})
+      .show_default();
+  verb.flag("--mesh", arguments->mesh, "for a mesh with normals instead of the studio's sphere");
   verb.flag("--es", arguments->es, "#version 300 es instead of 330 core");
-  verb.flag("--vertex", arguments->vertex, "the vertex shader instead (JSON holds both)");
+  verb.flag("--vulkan", arguments->vulkan, "#version 450 with bindings and locations, for SPIR-V");
+  verb.option("--vertex", arguments->vertex,
+              "the vertex shader instead (JSON holds both); mesh: that of --mesh")
+      .may_lack_value()
+      .show_default("picture")
+      .one_of({"picture", "mesh"})
+      .value_name("FORM");
   add_output_options(verb, arguments->output, {"text", "json"});
   verb.footer(
       "What was left out is listed with its reason at the head of the text.\n"
-      "Example:\n  etak shader gold --model schueler-full --lights 2 --es");
+      "Example:\n"
+      "  etak shader gold --model schueler-full --lights 2 --es\n"
+      "  etak shader copper --model ggx-f82 --language hlsl -o copper.hlsl");
   verb.runs([arguments] { return run(*arguments); });
 }
 

@@ -7,6 +7,7 @@
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
+#include "core/material/names.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
 
@@ -27,7 +28,8 @@ std::vector<std::string> named_datasets(const std::vector<MaterialInput>& inputs
   std::vector<std::string> out;
   for (const MaterialInput& input : inputs) {
     if (input.dataset.empty()) return {};
-    out.push_back(input.dataset);
+    out.push_back(input.material ? dataset_named(*input.material, input.dataset, input.label()).id
+                                 : input.dataset);
   }
   return out;
 }
@@ -57,7 +59,8 @@ int run(ShowArguments& arguments) {
     throw Error::at(arguments.inputs.names.front(), "is a folder", "one material or file");
   MaterialReport report{read_material(inputs.front(), tables), {}};
   for (const Dataset& dataset : report.material.datasets)
-    report.results.push_back(solve(solver, report.material, dataset));
+    report.results.push_back(
+        solve_averaged(arguments.compute.axis_average, solver, report.material, dataset));
   write_output(arguments.output, arguments.output.format == "json"
                                      ? record_json(report, solver.options())
                                      : text_form(report, inputs, solver.options(), arguments.output));
@@ -70,6 +73,7 @@ void add_show(CommandLine& line) {
   const auto arguments = std::make_shared<ShowArguments>();
   Command verb = line.verb("show", "the whole record of one material; ID/DATASET lists one dataset");
   add_input_options(verb, arguments->inputs);
+  verb.option("--dataset", arguments->inputs.dataset, "only this dataset of the material").value_name("ID");
   add_compute_options(verb, arguments->compute);
   add_table_options(verb, arguments->tables);
   add_library_options(verb, arguments->library);

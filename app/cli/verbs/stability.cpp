@@ -13,8 +13,9 @@ namespace {
 
 int show_stability(const StabilityArguments& arguments) {
   check_output(arguments.output);
-  const std::vector<StabilityCase> cases =
-      arguments.device == "cpu" ? stability_cases() : pictures("--device").stability_on_gl(arguments.device);
+  const std::vector<StabilityCase> cases = arguments.device == "cpu" || arguments.device == "auto"
+                                               ? stability_cases()
+                                               : pictures("--device").stability_on_gl(arguments.device);
   write_output(arguments.output, arguments.output.format == "json" ? stability_json(cases)
                                                                    : stability_text(cases, arguments.all));
   return all_passed(cases) ? exit_ok : exit_findings;
@@ -26,8 +27,8 @@ void add_stability(CommandLine& line) {
   Command verb = line.verb("stability", "every stiff and extreme case, run through the real code");
   auto arguments = std::make_shared<StabilityArguments>();
   verb.option("--device", arguments->device,
-              "cpu: double and single precision; gl, all: and the formulas on OpenGL")
-      .one_of({"cpu", "gl", "all"})
+              "cpu: double and single precision; gl, all: and the formulas on OpenGL; auto: cpu")
+      .one_of({"auto", "cpu", "gl", "all"})
       .show_default();
   verb.flag("--all", arguments->all,
             "every case in the text, not only those in which the formula as usually written fails");

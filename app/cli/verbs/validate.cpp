@@ -99,7 +99,7 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
   verb.option("--role", a.role, "what the pictures are (default: by their names)")
       .words({"diffuse", "specular", "f0", "base-color", "metal-rough"});
   verb.option("--transfer", a.settings.transfer, "curve of the 8-bit codes")
-      .words({"srgb", "gamma22", "linear"})
+      .words({"srgb", "power-2.2", "linear"})
       .show_default("srgb");
   verb.option("--alpha", a.settings.alpha, "what the alpha of diffuse is")
       .words({"mask", "transparency"})

@@ -17,7 +17,7 @@ from several threads at once; they compute without the interpreter's lock.
 from __future__ import annotations
 
 import os as _os
-from typing import TYPE_CHECKING, Any, Callable, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional, Tuple, Union, overload
 
 from . import _core
 from ._core import (
@@ -32,69 +32,119 @@ _core._start(_os.path.abspath(__path__[0]))
 
 __all__ = [
     "CheckedFile", "Choice", "Choices", "Citation", "Dataset", "Error", "F0", "Finding", "Library", "Material",
-    "Packed", "Report", "Spread", "__version__", "choose", "dataset", "f0", "fresnel", "fresnel_forms", "library",
-    "pack", "pack_settings", "read", "validate"]
+    "Near", "Packed", "Report", "Spread", "__version__", "choose", "dataset", "delta_e", "export", "f0", "fresnel",
+    "fresnel_forms", "functions", "library", "nearest", "pack", "pack_settings", "read", "validate"]
+
+
+def __dir__() -> "list[str]":
+    # eval is no part of __all__: `from etak import *` would hide Python's own.
+    return sorted([*__all__, "convert", "eval", "__all__", "__doc__", "__file__", "__name__", "__path__"])
+
 
 for _each in (CheckedFile, Choice, Choices, Citation, Dataset, F0, Finding, Library, Material, Packed, Report, Spread):
     _each.__module__ = "etak"
 del _each
 
+from . import notebook as _notebook  # noqa: E402: the types have their names by now
+
+for _each, _name, _method in (
+        (Citation, "bibtex", _notebook.bibtex),
+        (Dataset, "plot", _notebook.plot_dataset), (Dataset, "_repr_html_", _notebook.dataset_html),
+        (Material, "plot", _notebook.plot_material), (Material, "_repr_html_", _notebook.material_html),
+        (Library, "_repr_html_", _notebook.library_html)):
+    setattr(_each, _name, _method)
+del _each, _name, _method
+
 Path = Union[str, Any]  # anything with __fspath__, too
 Number = Union[str, float]
+Table = Union[str, Tuple[Any, Any], None]  # a word, or (wavelength, values)
+
+
+def _restored(kind: Any, version: str, state: "tuple[Any, ...]") -> Any:
+    # Pickles call it. The bytes in them are those of one version.
+    if version != __version__:
+        raise Error(f"pickle: of etak {version}; expected etak {__version__}, or the call that made it")
+    return kind._restore(*state)
+
+
+class Near(NamedTuple):
+    """A material that nearest() found, the hex colour of its F0, and the distance."""
+
+    material: Material
+    hex: str
+    delta_e: float
+
+
+@overload
+def f0(  # type: ignore[misc]  # a list is no Any
+    material: Union[List[Any], Tuple[Any, ...]], *, dataset: str = ..., axis_average: bool = ..., observer: Table = ...,
+    illuminant: Table = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
+    integration_bound: Optional[Number] = ..., space: Optional[str] = ..., ocio: Optional[Path] = ...,
+    outside: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
+    columns: Optional[str] = ..., duplicates: Optional[str] = ..., material_class: Optional[str] = ...,
+    origin: Optional[str] = ..., library: Library = ..., threads: int = ...,
+) -> List[F0]: ...
 
 
 @overload
 def f0(
-    material: Any, *, dataset: str = ..., axis_average: bool = ..., observer: Optional[str] = ...,
-    illuminant: Optional[str] = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
+    material: Any, *, dataset: str = ..., axis_average: bool = ..., observer: Table = ...,
+    illuminant: Table = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
     integration_bound: Optional[Number] = ..., space: Optional[str] = ..., ocio: Optional[Path] = ...,
     outside: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
-    columns: Optional[str] = ..., duplicates: Optional[str] = ..., library: Library = ...,
+    columns: Optional[str] = ..., duplicates: Optional[str] = ..., material_class: Optional[str] = ...,
+    origin: Optional[str] = ..., library: Library = ..., threads: int = ...,
 ) -> F0: ...
 
 
 @overload
 def f0(
-    *, n: Any = ..., k: Any = ..., wavelength: Any, reflectance: Any = ..., observer: Optional[str] = ...,
-    illuminant: Optional[str] = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
+    *, n: Any = ..., k: Any = ..., wavelength: Any, reflectance: Any = ..., observer: Table = ...,
+    illuminant: Table = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
     integration_bound: Optional[Number] = ..., space: Optional[str] = ..., ocio: Optional[Path] = ...,
-    outside: Optional[Number] = ..., allow_extrapolation: bool = ..., library: Library = ..., threads: int = ...,
+    outside: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
+    library: Library = ..., threads: int = ...,
 ) -> npt.NDArray[np.float64]: ...
 
 
 def f0(
     material: Any = None, *, n: Any = None, k: Any = None, wavelength: Any = None, reflectance: Any = None,
-    dataset: str = "", axis_average: bool = False, observer: Optional[str] = None, illuminant: Optional[str] = None,
+    dataset: str = "", axis_average: bool = False, observer: Table = None, illuminant: Table = None,
     interpolation: Optional[str] = None, method: Optional[str] = None, integration_bound: Optional[Number] = None,
     space: Optional[str] = None, ocio: Optional[Path] = None, outside: Optional[Number] = None,
     allow_extrapolation: bool = False, unit: Optional[str] = None, columns: Optional[str] = None,
-    duplicates: Optional[str] = None, library: Library = library, threads: int = 0,
+    duplicates: Optional[str] = None, material_class: Optional[str] = None, origin: Optional[str] = None,
+    library: Library = library, threads: int = 0,
 ) -> Any:
     """Reflectance at normal incidence as a colour.
 
-    Of a material, as an `etak.F0`:
+    Of a material, as an `etak.F0`; of a list or tuple of materials, as a list of them:
       material       a name ("gold", "Au", "gold/johnson-1972"), the path of a page, table or material file, or a
                      Material or Dataset. A pathlib.Path is always a file
       dataset        its id or unique beginning, in place of the preferred one
       axis_average   crystals as random grains
       unit, columns, duplicates   how tables are read, as `etak f0 --help-all` tells
+      material_class, origin      what a file does not say of itself: --class and --origin
 
     Of arrays, as an array of float64 of shape (N, 3), or (3,) for a single spectrum:
-      wavelength     M wavelengths in nm, ascending
-      n, k           (N, M) or (M,); without k, k is 0
+      wavelength     M wavelengths, ascending, in `unit`: nm where none is given, um, A or eV
+      n, k           (N, M) or (M,); without k, k is 0; or n alone, complex: n + 1j k
       reflectance    the same, in place of n and k
-      threads        0: all cores
 
-    Of both:
-      illuminant     D65, D50, A or E              observer        1931-2deg or 1964-10deg
+    Of all:
+      illuminant     D65, D50, A or E, or one's own: (wavelength, power), arrays (M,) of 380 to 780 nm at least
+      observer       1931-2deg or 1964-10deg, or one's own: (wavelength, functions), arrays (M,) and (M, 3)
       interpolation  linear or pchip               method          1nm, exact, auto, 5nm, ...
       space          srgb, acescg, rec2020, display-p3, xyz, or one of an OpenColorIO config (`ocio`)
       outside        the medium in front: an index of refraction or a material
+      threads        0: all cores
 
     Data that hold less than 0.95 of the luminous weight are refused unless allow_extrapolation is true.
 
     >>> etak.f0("gold", dataset="mcpeak", space="acescg")
     <etak.F0 gold/mcpeak-2015: #ffe59e, 0.9277 0.7965 0.4058 in acescg>
+    >>> [each.hex for each in etak.f0(["gold", "silver"])]
+    ['#ffe49c', '#fefdfc']
     >>> etak.f0("silver", illuminant="D66")
     Traceback (most recent call last):
     etak.Error: illuminant: D66; expected D65, D50, A or E
@@ -107,17 +157,25 @@ def f0(
     settings = {
         "observer": observer, "illuminant": illuminant, "interpolation": interpolation, "method": method,
         "integration_bound": integration_bound, "space": space, "ocio": ocio, "outside": outside,
-        "allow_extrapolation": allow_extrapolation, "unit": unit, "columns": columns, "duplicates": duplicates}
+        "allow_extrapolation": allow_extrapolation, "unit": unit, "columns": columns, "duplicates": duplicates,
+        "material_class": material_class, "origin": origin}
     if material is None:
+        for name in ("columns", "duplicates", "material_class", "origin"):
+            value = settings[name]
+            if value is not None:
+                raise Error(f"{name}: is given beside arrays; expected a table in a file")
         return _core.f0_of_rows(n, k, reflectance, wavelength, settings, library, threads)
     if n is not None or k is not None or reflectance is not None or wavelength is not None:
         raise Error("material: is given beside arrays; expected one of the two")
-    return _core.f0(material, dataset, axis_average, settings, library)
+    several = isinstance(material, (list, tuple))
+    out = _core.f0(list(material) if several else [material], dataset, axis_average, settings, library, threads)
+    return out if several else out[0]
 
 
 def read(
     material: Any, *, dataset: str = "", unit: Optional[str] = None, columns: Optional[str] = None,
-    duplicates: Optional[str] = None, library: Library = library,
+    duplicates: Optional[str] = None, material_class: Optional[str] = None, origin: Optional[str] = None,
+    library: Library = library,
 ) -> Dataset:
     """The dataset that a name or a file stands for, as f0() takes it.
 
@@ -125,13 +183,16 @@ def read(
     >>> gold.n([500, 600]).round(3), round(gold.k(600), 3)
     (array([0.82 , 0.204]), 3.122)
     """
-    return _core.read(material, dataset, {"unit": unit, "columns": columns, "duplicates": duplicates}, library)
+    tables = {
+        "unit": unit, "columns": columns, "duplicates": duplicates, "material_class": material_class,
+        "origin": origin}
+    return _core.read(material, dataset, tables, library)
 
 
 def dataset(
     wavelength: Any, *, n: Any = None, k: Any = None, reflectance: Any = None, name: str = "given",
 ) -> Dataset:
-    """A dataset of one's own numbers, which f0() and fresnel() take as they take those of the library.
+    """A dataset of one's own numbers, which f0() and fresnel() take as they take those of the library. n may be complex.
 
     >>> glass = etak.dataset([380, 780], n=[1.52, 1.51], k=[0, 0], name="a glass")
     >>> etak.f0(glass).hex
@@ -141,8 +202,8 @@ def dataset(
 
 
 def fresnel(
-    material: Any, cos_theta: Any, *, form: str = "exact", dataset: str = "", observer: Optional[str] = None,
-    illuminant: Optional[str] = None, outside: Optional[Number] = None, allow_extrapolation: bool = False,
+    material: Any, cos_theta: Any, *, form: str = "exact", dataset: str = "", observer: Table = None,
+    illuminant: Table = None, outside: Optional[Number] = None, allow_extrapolation: bool = False,
     unit: Optional[str] = None, columns: Optional[str] = None, duplicates: Optional[str] = None,
     library: Library = library, threads: int = 0,
 ) -> npt.NDArray[np.float64]:
@@ -261,3 +322,95 @@ def choose(
     ('f82', True)
     """
     return _core.choose(materials, budget, codes, gloss, roughness, costs, library, threads, progress)
+
+
+def nearest(
+    color: Any, *, linear: bool = False, count: int = 5, classes: Any = None, library: Library = library,
+    threads: int = 0,
+) -> "list[Near]":
+    """The materials whose F0 is nearest to a colour by CIEDE2000, nearest first.
+
+      color     a hex text, three 8-bit codes, or with linear=True three linear values
+      classes   only of these classes; without it of all but surface, whose diffuse colours are no F0
+
+    >>> [(each.material.id, round(each.delta_e, 1)) for each in etak.nearest("#ffe49c", count=1)]
+    [('gold', 0.0)]
+    """
+    return [Near(*each) for each in _core.nearest(color, linear, count, classes, library, threads)]
+
+
+def delta_e(a: Any, b: Any) -> Any:
+    """CIEDE2000 of two colours: hex texts, answers of f0(), or linear sRGB of shape (..., 3), which are broadcast.
+
+    >>> round(etak.delta_e(etak.f0("gold"), "#ffe49c"), 2) < 3
+    True
+    """
+    def linear(color: Any) -> Any:
+        return _core.hex_color(color) if isinstance(color, str) else color.srgb if isinstance(color, F0) else color
+
+    out = _core.delta_e(linear(a), linear(b))
+    return out if out.ndim else float(out)
+
+
+def export(
+    materials: Any, to: str = "values", *, target: Any = None, gloss: Optional[float] = None,
+    roughness: Optional[float] = None, diffuse: Any = None, opacity: float = 1, fit: Optional[str] = None,
+    gltf_form: Optional[str] = None, dataset: str = "", observer: Table = None, illuminant: Table = None,
+    interpolation: Optional[str] = None, method: Optional[str] = None, integration_bound: Optional[Number] = None,
+    space: Optional[str] = None, ocio: Optional[Path] = None, outside: Optional[Number] = None,
+    allow_extrapolation: bool = False, unit: Optional[str] = None, columns: Optional[str] = None,
+    duplicates: Optional[str] = None, library: Library = library, threads: int = 0,
+) -> Any:
+    """Materials as MaterialX, glTF or the values of engines.
+
+      materials   a material as f0() takes it, or a list or tuple of them
+      to          "mtlx" or "gltf": a text; "glb": bytes; "values", or the id of one target: what `etak export --to
+                  values --format json` writes, as a dictionary
+      target      of "values": only these
+      gloss, roughness, diffuse, opacity, fit, gltf_form   as options of `etak export`
+
+    What was assumed and changed is in the dictionary; of texts and bytes it is a warning each.
+
+    >>> gold = etak.export("gold", "unreal", roughness=0.3)["materials"][0]
+    >>> [field["text"] for field in gold["targets"][0]["fields"] if field["name"] == "Roughness"]
+    ['0.3']
+    """
+    import warnings
+
+    how = {"target": target, "gloss": gloss, "roughness": roughness, "diffuse": diffuse, "opacity": opacity, "fit": fit,
+           "gltf_form": gltf_form, "dataset": dataset}
+    settings = {
+        "observer": observer, "illuminant": illuminant, "interpolation": interpolation, "method": method,
+        "integration_bound": integration_bound, "space": space, "ocio": ocio, "outside": outside,
+        "allow_extrapolation": allow_extrapolation, "unit": unit, "columns": columns, "duplicates": duplicates}
+    several = list(materials) if isinstance(materials, (list, tuple)) else [materials]
+    document, remarks = _core.export(several, to, how, settings, library, threads)
+    for each in remarks:
+        warnings.warn(each, stacklevel=2)
+    return document
+
+
+def eval(function: str, **inputs: Any) -> Any:
+    """One of the formulas of `etak eval`, in double precision: a number, or an array where inputs are arrays.
+
+      inputs   numbers, arrays that are broadcast, or words, by the names that functions() tells
+
+    >>> round(etak.eval("schlick", f0=0.04, cos=0.5), 6)
+    0.07
+    """
+    import numpy
+
+    words = {name: value for name, value in inputs.items() if isinstance(value, str)}
+    names = [name for name in inputs if name not in words]
+    arrays = numpy.broadcast_arrays(*(inputs[name] for name in names)) if names else []
+    out = _core.evaluated(function, words, dict(zip(names, arrays)))
+    return out if out.ndim else float(out)
+
+
+def functions() -> "list[Dict[str, Any]]":
+    """The formulas of eval(), each with its inputs, their units and ranges, and its source.
+
+    >>> [each["id"] for each in etak.functions()][:2]
+    ['f0', 'absorptance0']
+    """
+    return _core.functions()

@@ -44,12 +44,14 @@ LeaveOut left_out_of(const PackSource& source, const PackOptions& options, const
   return leave_out(facts, what);
 }
 
-// Every material that uses the texels of `owner`.
-template <class Act>
-void each_user(const PackInputs& inputs, const LeaveOut& left_out, std::size_t owner, Act act) {
-  for (std::size_t j = 0; j < left_out.fates.size(); ++j)
-    if (left_out.fates[j].texels && left_out.fates[j].owner == owner)
-      act(inputs.materials[j], left_out.fates[j]);
+// By material: all that use its texels.
+using Users = std::vector<std::vector<std::size_t>>;
+
+Users users_by_owner(const std::vector<MaterialFate>& fates) {
+  Users out(fates.size());
+  for (std::size_t i = 0; i < fates.size(); ++i)
+    if (fates[i].texels) out[fates[i].owner].push_back(i);
+  return out;
 }
 
 // Whether bilinear filtering in the box reads what lies beyond the picture's edge, on its other side.
@@ -60,20 +62,21 @@ bool reads_around(const PackInput& m, const PixelBox& box) {
 
 // The regions at the full size of their boxes.
 std::vector<Region> regions_needed(const PackOptions& options, const PackSource& source,
-                                   const PackDecision& way) {
-  const LeaveOut& left_out = way.left_out;
+                                   const PackDecision& way, const Users& users) {
+  const std::vector<MaterialFate>& fates = way.left_out.fates;
   std::vector<Region> out;
-  for (std::size_t i = 0; i < left_out.fates.size(); ++i) {
-    const MaterialFate& fate = left_out.fates[i];
+  for (std::size_t i = 0; i < fates.size(); ++i) {
+    const MaterialFate& fate = fates[i];
     if (!fate.texels || fate.owner != i) continue;
     std::array<bool, 2> in{false, false};
     int levels = 1;
     bool own_page = way.whole;
-    each_user(source.inputs, left_out, i, [&](const PackInput& m, const MaterialFate& user) {
+    for (const std::size_t user : users[i]) {
+      const PackInput& m = source.inputs.materials[user];
       own_page = own_page || m.own_page;
-      for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || user.varies[t];
+      for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || fates[user].varies[t];
       levels = levels == 0 || m.facts.levels == 0 ? 0 : std::max(levels, m.facts.levels);
-    });
+    }
     if (options.leave_out.keep.contains("textures")) in = {true, true};
     if (options.leave_out.keep.contains("mips")) levels = 0;
     for (const PixelBox& box : fate.boxes) out.push_back({i, box, in, own_page, levels, 0});
@@ -88,15 +91,15 @@ std::vector<Region> regions_needed(const PackOptions& options, const PackSource&
 
 // With how many texels a region is stored.
 Resolution resolution_for(const Region& region, const PackOptions& options, const PackInputs& inputs,
-                          const LeaveOut& left_out, FoundResolutions& found) {
+                          const std::vector<std::size_t>& users, FoundResolutions& found) {
   const PackInput& m = inputs.materials[region.material];
   const PixelBox& box = region.box;
   int unseen = 15;
   bool mask = false;
-  each_user(inputs, left_out, region.material, [&](const PackInput& user, const MaterialFate&) {
-    unseen = std::min(unseen, user.facts.unseen);
-    mask = mask || user.alpha_mode == AlphaMode::mask;
-  });
+  for (const std::size_t user : users) {
+    unseen = std::min(unseen, inputs.materials[user].facts.unseen);
+    mask = mask || inputs.materials[user].alpha_mode == AlphaMode::mask;
+  }
   const bool asked = options.leave_out.max_error || unseen > 0;
   if (!asked || options.leave_out.keep.contains("resolution")) return {};
   const auto [known, fresh] = found.try_emplace(
@@ -147,19 +150,23 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source,
   return out;
 }
 
-PageLevels levels_of(int page, const PackOptions& options, const PackInputs& inputs,
-                     const std::vector<Region>& regions, const PackingPlan& plan) {
-  const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
-  const int full = full_mip_levels(size.width, size.height), asked = levels_asked(options, inputs);
-  const int offered = asked == 0 ? full : std::min(asked, full);
-  if (options.leave_out.keep.contains("mips")) return {offered, offered};
-  int read = 1;
+// By page.
+std::vector<PageLevels> levels_of(const PackOptions& options, const PackInputs& inputs,
+                                  const std::vector<Region>& regions, const PackingPlan& plan) {
+  std::vector<int> read(plan.pages.size(), options.leave_out.keep.contains("mips") ? 0 : 1);
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (plan.places[r].page != page) continue;
+    int& most = read[static_cast<std::size_t>(plan.places[r].page)];
     const int own = full_mip_levels(regions[r].width(), regions[r].height());
-    read = std::max(read, regions[r].levels == 0 ? own : std::min(own, regions[r].levels));
+    if (most > 0) most = std::max(most, regions[r].levels == 0 ? own : std::min(own, regions[r].levels));
   }
-  return {offered, std::min(offered, read)};
+  const int asked = levels_asked(options, inputs);
+  std::vector<PageLevels> out;
+  for (std::size_t p = 0; p < plan.pages.size(); ++p) {
+    const int full = full_mip_levels(plan.pages[p].width, plan.pages[p].height);
+    const int offered = asked == 0 ? full : std::min(asked, full);
+    out.push_back({offered, read[p] == 0 ? offered : std::min(offered, read[p])});
+  }
+  return out;
 }
 
 using TexelHash = std::array<std::uint64_t, 2>;
@@ -192,15 +199,15 @@ PackDecision decided(Way way, const PackOptions& options, const PackSource& sour
   out.islands = way == Way::islands;
   out.whole = way == Way::whole;
   out.left_out = left_out_of(source, options, out);
-  for (const Region& region : regions_needed(options, source, out)) {
-    out.resolutions.push_back(resolution_for(region, options, source.inputs, out.left_out, found));
+  const Users users = users_by_owner(out.left_out.fates);
+  for (const Region& region : regions_needed(options, source, out, users)) {
+    out.resolutions.push_back(resolution_for(region, options, source.inputs, users[region.material], found));
     out.regions.push_back(stored(region, out.resolutions.back()));
   }
   std::vector<std::string> names;
   for (const PackInput& m : source.inputs.materials) names.push_back(m.name);
   out.plan = plan_pages(out.regions, names, plan_options(options, source, out.regions), previous);
-  for (int p = 0; p < static_cast<int>(out.plan.pages.size()); ++p)
-    out.levels.push_back(levels_of(p, options, source.inputs, out.regions, out.plan));
+  out.levels = levels_of(options, source.inputs, out.regions, out.plan);
   return out;
 }
 
@@ -259,7 +266,8 @@ bool learn(const std::vector<Learned>& learned, const PackOptions& options, Pack
       teach(learned[i].range, learned[i].hash[0], learned[i].hash[1], inputs.materials[i].facts);
   teach_same_sources(inputs);
   decision.left_out = left_out_of(source, options, decision);
-  const std::vector<Region> now = regions_needed(options, source, decision);
+  const std::vector<Region> now =
+      regions_needed(options, source, decision, users_by_owner(decision.left_out.fates));
   return std::equal(now.begin(), now.end(), decision.regions.begin(), decision.regions.end(),
                     [](const Region& a, const Region& b) {
                       return std::tie(a.material, a.box, a.in, a.own_page) ==

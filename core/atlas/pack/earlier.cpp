@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/hash/sha256.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
 
@@ -24,7 +25,7 @@ bool EarlierAtlas::is_whole() const {
 }
 
 EarlierAtlas earlier_atlas(const std::string& folder) {
-  EarlierAtlas out{folder, {}, {}};
+  EarlierAtlas out{folder, {}, {}, ReadPlaces()};
   const std::string path = folder + '/' + layout_file_name;
   if (!exists(path)) return out;
   try {
@@ -40,10 +41,34 @@ EarlierAtlas earlier_atlas(const std::string& folder) {
 }
 
 void refuse_stranger(const EarlierAtlas& earlier, const std::string& name, bool overwrite) {
+  const std::string path = earlier.folder + '/' + name;
+  sys::FileInfo info;
+  if (!sys::file_info(path, info)) return;
+  earlier.inputs.refuse(info, path);
   const bool owned = std::find(earlier.files.begin(), earlier.files.end(), name) != earlier.files.end();
-  if (!owned && !overwrite && exists(earlier.folder + '/' + name))
-    throw Error::at(earlier.folder + '/' + name, "exists already and is of no earlier atlas",
+  if (!owned && !overwrite)
+    throw Error::at(path, "exists already and is of no earlier atlas",
                     "another folder, or " + setting("force") + " to replace it");
+}
+
+std::string remove_earlier(OutputFolder& folder, const EarlierAtlas& earlier,
+                           const std::set<std::string>& names) {
+  std::vector<std::string> left;
+  for (const std::string& name : earlier.files) {
+    sys::FileInfo info;
+    const std::string path = earlier.folder + '/' + name;
+    if (names.contains(name) || !sys::file_info(path, info)) continue;
+    const auto& written = earlier.layout->sha256;
+    const auto hash = written.find(name);
+    if (info.kind == sys::FileInfo::Kind::file && earlier.inputs.find(info) == nullptr &&
+        hash != written.end() && sha256_of_file(path) == hash->second)
+      folder.remove_old(name);
+    else
+      left.push_back(printable(path, 200));
+  }
+  if (left.empty()) return {};
+  return left.front() + (left.size() == 1 ? " is" : " and " + std::to_string(left.size() - 1) + " more are") +
+         " of no use to the new atlas and stayed: not known to be as etak wrote it";
 }
 
 void check_place(const EarlierAtlas& earlier, bool overwrite) {

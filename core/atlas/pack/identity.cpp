@@ -2,11 +2,13 @@
 #include "core/atlas/pack/identity.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "core/atlas/pack/pack.h"
 #include "core/base/files/file.h"
 #include "core/base/hash/content_hash.h"
+#include "core/base/number.h"
 #include "core/base/parallel.h"
 
 namespace etak {
@@ -18,7 +20,13 @@ std::string settings_hash(const PackOptions& options, const PackInputs& inputs) 
   for (const std::string& each : options.output.write.formats) text += each + ',';
   if (options.output.smallest_form) text += "smallest,";
   for (const GltfForm form : options.output.forms) text += std::to_string(static_cast<int>(form)) + ',';
-  const auto number = [&](auto value) { text += std::to_string(value) + '|'; };
+  const auto number = [&](auto value) {
+    if constexpr (std::is_floating_point_v<decltype(value)>)
+      append_number(text, value, 17);
+    else
+      text += std::to_string(value);
+    text += '|';
+  };
   number(static_cast<int>(inputs.gloss));
   number(options.layout.form ? static_cast<int>(*options.layout.form) : -1);
   const auto& level = options.output.write.png_level;

@@ -17,7 +17,10 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/output_folder.h"
+#include "core/base/files/output_target.h"
+#include "core/base/files/read_places.h"
 #include "core/base/files/steady_file.h"
+#include "core/base/hash/sha256.h"
 
 namespace etak {
 namespace {
@@ -64,16 +67,21 @@ void learn_floats(PackInputs& inputs) {
 // Writes the files beside the pages and marks files of the earlier atlas that are no longer needed for
 // removal. Returns the names of all files of the atlas, sorted.
 std::vector<std::string> complete(OutputFolder& folder, const PackOptions& options, const PackSource& source,
-                                  const EarlierAtlas& earlier, AtlasLayout& layout) {
+                                  const EarlierAtlas& earlier, PackResult& result) {
+  AtlasLayout& layout = result.layout;
   if (source.scene) layout.other_files = source.scene->write_scene(folder, layout);
-  folder.write(layout_file_name, layout_json(layout));
-  std::set<std::string> files{layout_file_name};
+  std::set<std::string> files(layout.other_files.begin(), layout.other_files.end());
   for (const AtlasPage& page : layout.pages)
     for (const auto& names : page.files) files.insert(names.begin(), names.end());
-  files.insert(layout.other_files.begin(), layout.other_files.end());
+  for (const std::string& name : files) {
+    std::string& hash = layout.sha256[name] = sha256_of_file(folder.path_until_commit(name));
+    if (hash.empty()) throw Error::at(name, "cannot be read again after it was written");
+  }
+  folder.write(layout_file_name, layout_json(layout));
+  files.insert(layout_file_name);
   for (const std::string& name : files) refuse_stranger(earlier, name, options.output.overwrite);
-  for (const std::string& name : earlier.files)
-    if (!files.contains(name)) folder.remove_old(name);
+  if (std::string stayed = remove_earlier(folder, earlier, files); !stayed.empty())
+    result.remarks.push_back(std::move(stayed));
   return {files.begin(), files.end()};
 }
 
@@ -130,8 +138,13 @@ void put_all_in_place(const PackOptions& options, OutputFolder* folder, PackStag
                       PackResult& result) {
   const std::unique_ptr<Output> beside =
       options.check.beside ? options.check.beside(result, folder) : nullptr;
+  std::vector<std::string> read{result.input};
+  for (const auto& [file, stamp] : result.inputs) read.push_back(file);
+  const auto places = std::make_shared<const ReadPlaces>(read);
   // Files that are put into the old folder before the exchange are kept; files put there after it are lost.
-  Output* const outputs[] = {beside.get(), folder};
+  Output* const outputs[] = {folder, beside.get()};
+  for (Output* const each : outputs)
+    if (each != nullptr) each->keep_off(places);
   stages.timed("commit", [&] { put_in_place(outputs); });
 }
 
@@ -149,12 +162,16 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   result.materials = source.inputs.materials.size();
   result.gloss = source.inputs.gloss;
   result.remarks = source.inputs.remarks;
-  const Stamps stamps = result.inputs = stamps_of(input_files(options, source));
+  const std::vector<std::string> read = input_files(options, source);
+  const Stamps stamps = result.inputs = stamps_of(read);
 
-  const EarlierAtlas earlier = stages.timed("earlier result", [&] { return earlier_atlas(output); });
+  EarlierAtlas earlier = stages.timed("earlier result", [&] { return earlier_atlas(output); });
+  earlier.inputs = ReadPlaces(read);
+  earlier.inputs.add(input);
   const std::optional<std::string> content = content_to_compare(options, source, earlier);
   if (content && *content == earlier.layout->content_hash) {
     result.up_to_date = true;
+    if (!options.output.dry_run) remove_remains(output);
     result.layout = *earlier.layout;
     result.files = earlier.files;
     result.stages = stages.all();
@@ -187,7 +204,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
     result.layout.content_hash = content ? *content : content_hash(options, source);
     check_unchanged(stamps);
   });
-  if (made->folder) result.files = complete(*made->folder, options, source, earlier, result.layout);
+  if (made->folder) result.files = complete(*made->folder, options, source, earlier, result);
   tell(source, decision, learned, result);
   if (source.scene) result.forms = source.scene->form_costs(), result.goal = options.output.goal;
   if (made->folder)

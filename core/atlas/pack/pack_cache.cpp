@@ -137,7 +137,7 @@ std::optional<KeptAtlas> PackCache::find(const std::string& key) {
     folder_.refuse_hit();
     return std::nullopt;
   }
-  return KeptAtlas{std::move(text.told), std::move(text.files), std::move(*entry)};
+  return KeptAtlas{std::move(text.told), std::move(text.files), std::move(files), std::move(*entry)};
 }
 
 bool PackCache::is_in_place(const KeptAtlas& atlas, const std::string& output) {
@@ -152,12 +152,14 @@ bool PackCache::is_in_place(const KeptAtlas& atlas, const std::string& output) {
   });
 }
 
-std::unique_ptr<OutputFolder> PackCache::restored(const KeptAtlas& atlas, const std::string& output,
+std::unique_ptr<OutputFolder> PackCache::restored(KeptAtlas& atlas, const std::string& output,
                                                   bool overwrite) {
-  const EarlierAtlas earlier = earlier_atlas(output);
+  EarlierAtlas earlier = earlier_atlas(output);
+  earlier.inputs = ReadPlaces(atlas.inputs);
   check_place(earlier, overwrite);
   for (const KeptAtlas::File& file : atlas.files) refuse_stranger(earlier, file.name, overwrite);
   auto out = std::make_unique<OutputFolder>(output, may_replace(overwrite));
+  out->limit_mode(strictest_mode(atlas.inputs));
   std::uint64_t at = atlas.entry.rest_at;
   std::set<std::string> names;
   for (const KeptAtlas::File& kept : atlas.files) {
@@ -175,8 +177,8 @@ std::unique_ptr<OutputFolder> PackCache::restored(const KeptAtlas& atlas, const 
     at += kept.size;
     names.insert(kept.name);
   }
-  for (const std::string& name : earlier.files)
-    if (!names.contains(name)) out->remove_old(name);
+  if (std::string stayed = remove_earlier(*out, earlier, names); !stayed.empty())
+    atlas.told.remarks.push_back(std::move(stayed));
   return out;
 }
 

@@ -44,6 +44,7 @@ struct KeptAtlas {
   };
   PackTold told;
   std::vector<File> files;
+  std::vector<std::string> inputs;
   CacheEntry entry;
 };
 
@@ -63,8 +64,8 @@ class PackCache {
   static bool is_in_place(const KeptAtlas& atlas, const std::string& output);
 
   /// The files of the atlas, ready to be put in place. Null where the entry is damaged, which then counts as a
-  /// miss. Throws Error where they may not be written.
-  std::unique_ptr<OutputFolder> restored(const KeptAtlas& atlas, const std::string& output, bool overwrite);
+  /// miss. Throws Error where they may not be written. Files of an earlier atlas that stay are told in `atlas`.
+  std::unique_ptr<OutputFolder> restored(KeptAtlas& atlas, const std::string& output, bool overwrite);
 
   /// An atlas on its way into the cache.
   class Keeping {

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/atlas/pack/identity.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/progress.h"
 #include "core/atlas/pack/table.h"
 #include "core/atlas/texels/compose_floats.h"
 #include "core/atlas/texels/page_stream.h"
 #include "core/base/error.h"
+#include "core/base/files/read_places.h"
 #include "core/base/setting.h"
 
 namespace etak {
@@ -121,6 +123,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, PackSource& sour
   MadePages made;
   if (!options.output.dry_run) {
     made.folder = std::make_unique<OutputFolder>(earlier.folder, may_replace(options.output.overwrite));
+    made.folder->limit_mode(strictest_mode(input_files(options, source)));
     refuse_strangers(options, earlier, decision);
   }
   if (source.scene) source.scene->choose_pictures(decision);

@@ -59,7 +59,7 @@ constexpr PackSettingRow setting_rows[] = {
     {content, "pattern", &S::pattern, 0, 0, "", shown, "of the files in a folder"},
     {content, "gloss", &S::gloss, 0, 0, "", 0,
      "what the gloss channel is to hold: schueler, one_minus_roughness or roughness; default as the input",
-     "schueler one_minus_roughness roughness"},
+     "schueler one_minus_roughness roughness", "gloss-channel"},
     {content, "space-of", &S::space_of, 0, 0, "ROLE=SPACE", 0,
      "ROLE=SPACE: colour space of pictures that name none: srgb, linear, power-2.2 or one of the OpenColorIO "
      "config; roles: diffuse, specular, basecolor; may be given again"},
@@ -72,7 +72,7 @@ constexpr PackSettingRow setting_rows[] = {
     {content, "all-scenes", &S::all_scenes, 0, 0, "", flag | line_only, "all of its scenes count"},
     {content, "drop-variants", &S::drop_variants, 0, 0, "", flag | line_only,
      "materials that only KHR_materials_variants uses do not count"},
-    {content, "gltf-form", &S::gltf_form, 0, 0, "", shown,
+    {content, "gltf-form", &S::gltf_form, 0, 0, "FORM", shown,
      "materials of the written glTF: specular-ior (KHR_materials_specular and _ior, lossless), "
      "specular-glossiness or metal-rough; the first is the material, more with ',' between are added; "
      "smallest: of the forms that are exact in this scene the one whose textures weigh least"},
@@ -83,7 +83,7 @@ constexpr PackSettingRow setting_rows[] = {
      "compressed to be weighed) or both (shares of the input's, added)",
      "gpu disk both"},
     {output, "format", &S::format, 0, 0, "LIST", shown,
-     "of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between"},
+     "files of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between", "", "textures"},
     {output, "png-level", &S::png_level, 0, 0, "", shown,
      "fast, small or smallest; auto: of each picture the level at which compressing it and sending it once "
      "at 1 "
@@ -105,6 +105,17 @@ std::string PackSettingRow::help_text() const {
     out.replace(at, end + 1 - at, setting(std::string_view(out).substr(at + 1, end - at - 1)));
   }
   return out;
+}
+
+std::string PackSettingRow::option_name() const {
+  return "--" + std::string(option.empty() ? name : option);
+}
+
+std::string pack_setting(std::string_view name) {
+  const std::string usual = setting(name);
+  for (const PackSettingRow& row : pack_setting_rows())
+    if (row.name == name && usual.starts_with("--")) return row.option_name();
+  return usual;
 }
 
 std::span<const PackSettingRow> pack_setting_rows() {

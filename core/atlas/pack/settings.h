@@ -63,7 +63,10 @@ struct PackSettingRow {
   unsigned traits;
   std::string_view help;  // {page} stands for the setting of that name
   std::string_view words = {};
+  std::string_view option = {};  // the name on the command line where it is another one: "textures"
 
+  /// The name of the option, with its dashes.
+  std::string option_name() const;
   bool is(Trait trait) const { return (traits & trait) != 0; }
   std::vector<std::string> word_list() const;
   /// `help` with the names of other settings as setting() (core/base/setting.h) writes them.
@@ -72,6 +75,9 @@ struct PackSettingRow {
 
 /// Every setting but input and output, in the order of the help.
 std::span<const PackSettingRow> pack_setting_rows();
+
+/// A setting as the user of the program knows it: setting() (core/base/setting.h) with the name of the option.
+std::string pack_setting(std::string_view name);
 
 /// All settings but input and output as text, which is equal for equal settings only.
 std::string settings_text(const PackSettings& settings);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/atlas/pack/pack.h"
@@ -24,7 +27,7 @@ class PackStages {
   template <class Act>
   auto timed(const char* name, Act act) {
     stop_if_cancelled();
-    const Lap lap{*this, name};
+    const Lap lap{stages_, stage(name)};
     return act();
   }
 
@@ -33,18 +36,16 @@ class PackStages {
  private:
   using Clock = std::chrono::steady_clock;
   struct Lap {
-    PackStages& stages;
-    const char* name;
+    std::vector<PackStage>& stages;
+    std::size_t at;
     Clock::time_point begin = Clock::now();
-    ~Lap() { stages.add(name, std::chrono::duration<double>(Clock::now() - begin).count()); }
+    ~Lap() { stages[at].seconds += std::chrono::duration<double>(Clock::now() - begin).count(); }
   };
-  void add(const char* name, double seconds) {
-    for (PackStage& stage : stages_)
-      if (stage.name == name) {
-        stage.seconds += seconds;
-        return;
-      }
-    stages_.push_back({name, seconds});
+  std::size_t stage(std::string_view name) {
+    const auto found = std::ranges::find(stages_, name, &PackStage::name);
+    if (found != stages_.end()) return static_cast<std::size_t>(found - stages_.begin());
+    stages_.push_back({std::string(name), 0});
+    return stages_.size() - 1;
   }
 
   const std::function<bool()>& cancelled_;

@@ -16,12 +16,19 @@
 namespace etak {
 namespace {
 
+// The first of the regions that hold a material's texels: regions are in the order of their materials.
+std::size_t first_region_of(const std::vector<Region>& regions, std::size_t owner) {
+  const auto before = [](const Region& region, std::size_t material) { return region.material < material; };
+  return static_cast<std::size_t>(std::lower_bound(regions.begin(), regions.end(), owner, before) -
+                                  regions.begin());
+}
+
 void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decision, AtlasLayout& out) {
   const PackingPlan& plan = decision.plan;
   const std::vector<Region>& regions = decision.regions;
   int island = 0;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (regions[r].material != owner) continue;
+  for (std::size_t r = first_region_of(regions, owner); r < regions.size() && regions[r].material == owner;
+       ++r) {
     const PixelBox& box = regions[r].box;
     const PlannedPlace& at = plan.places[r];
     AtlasRect rect;
@@ -151,8 +158,8 @@ AtlasLayout layout_table(const PackOptions& options, const PackSource& source, c
 BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision& decision) {
   BoxesOnPage out;
   const std::vector<Region>& regions = decision.regions;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (regions[r].material != owner) continue;
+  for (std::size_t r = first_region_of(regions, owner); r < regions.size() && regions[r].material == owner;
+       ++r) {
     const PlannedPlace& at = decision.plan.places[r];
     const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(at.page)];
     if (out.page >= 0 && out.page != at.page)

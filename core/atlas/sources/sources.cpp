@@ -123,6 +123,17 @@ void set_space(const RolePlace& at, const SpaceOpener& open_space, PlaneSource& 
   to.curve = std::move(curve);
 }
 
+// Tells of a colour that textures of 8 bits cannot hold; those of floats keep it.
+void tell_outside(const RolePlace& at, const std::string& what, const LinearRgb& c, const Resolving& r) {
+  for (const double v : {c.r, c.g, c.b})
+    if (v < 0 || v > 1) {
+      r.remarks.push_back(at.material.name + ": " + what + " is outside of sRGB (" + number(c.r, 4) + ", " +
+                          number(c.g, 4) + ", " + number(c.b, 4) +
+                          " linear); in 8 bits brought back to 0..1");
+      return;
+    }
+}
+
 F0Result library_color(const RolePlace& at, const LibrarySource& source, const Resolving& r) {
   const std::string place = at.pointer();
   NameWords words;
@@ -150,13 +161,7 @@ F0Result library_color(const RolePlace& at, const LibrarySource& source, const R
   if (diffuse && optical_kind(material.material_class) == "surface")
     r.remarks.push_back(at.material.name + ": diffuse is the total reflectance of " + material.id +
                         ", which holds what its surface reflects: specular comes on top of it");
-  const LinearRgb& c = result.srgb_linear;
-  for (const double v : {c.r, c.g, c.b})
-    if (v < 0 || v > 1) {
-      r.remarks.push_back(at.material.name + ": " + material.id + " is outside of sRGB (" + number(c.r, 4) +
-                          ", " + number(c.g, 4) + ", " + number(c.b, 4) + " linear); brought back to 0..1");
-      break;
-    }
+  tell_outside(at, material.id, result.srgb_linear, r);
   return result;
 }
 
@@ -166,6 +171,7 @@ PlaneSource color_plane(const RolePlace& at, const TextureSource& source, const 
     const Srgb8 codes = constant->codes ? *constant->codes : srgb_u8(constant->linear);
     out.constant = {codes.r, codes.g, codes.b};
     out.exact = {constant->linear.r, constant->linear.g, constant->linear.b};
+    tell_outside(at, at.role, constant->linear, r);
     return out;
   }
   if (const auto* material = std::get_if<LibrarySource>(&source)) {

@@ -98,7 +98,7 @@ const MaterialPair& Composer::pair_of(std::size_t material) {
     const std::lock_guard lock(pairs_lock_);
     cached = &pairs_[material];
   }
-  std::call_once(cached->once, [&] {
+  cached->once.call([&] {
     std::vector<std::string> ignored;  // told when the material was first looked at
     cached->pair = load_pair(materials_[material], ignored);
   });

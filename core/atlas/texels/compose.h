@@ -12,6 +12,7 @@
 #include "core/atlas/plan.h"
 #include "core/atlas/sources/sources.h"
 #include "core/atlas/texels/page_pixels.h"
+#include "core/base/once.h"
 
 namespace etak {
 
@@ -84,7 +85,7 @@ class Composer {
   const ComposeOptions options_;
   std::mutex pairs_lock_;
   struct Cached {
-    std::once_flag once;
+    Once once;
     MaterialPair pair;
   };
   std::map<std::size_t, Cached> pairs_;

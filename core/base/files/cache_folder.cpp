@@ -20,8 +20,9 @@
 namespace etak {
 namespace {
 
-constexpr std::string_view folder_of_new_entries = "new";
-constexpr std::uint64_t largest_text = std::uint64_t{256} << 20;
+// A text is in memory before its seal can be looked at, so that an entry that somebody has made takes no more of it
+// than this.
+constexpr std::uint64_t largest_text = std::uint64_t{64} << 20;
 constexpr std::size_t shortest_key = 16, longest_key = 4096;
 
 std::string folder_name(std::string_view digest) {
@@ -68,8 +69,8 @@ int CacheFolder::State::folder_of(std::string_view digest, bool make) {
 int CacheFolder::State::folder_of_new() {
   const std::lock_guard guard(lock);
   if (!fresh) {
-    (void)sys::make_folder_in(root.get(), std::string(folder_of_new_entries), 0777);
-    fresh = open_folder(root.get(), std::string(folder_of_new_entries));
+    (void)sys::make_folder_in(root.get(), folder_of_new_entries, 0777);
+    fresh = open_folder(root.get(), folder_of_new_entries);
   }
   return fresh.get();
 }
@@ -135,7 +136,10 @@ CacheFolder::CacheFolder(CacheOptions options) : state_(std::make_unique<State>(
   const std::string& path = s.options.path;
   std::filesystem::create_directories(path, failure);
   s.root = Descriptor(sys::open_file(path, sys::Open::folder));
-  if (s.root) return;
+  if (s.root) {
+    s.own_folder();
+    return;
+  }
   const int error = errno;
   if (std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored))
     throw Error::at(setting("cache"), printable(path, 200) + " is no folder", "a folder");
@@ -175,18 +179,14 @@ std::optional<CacheEntry> CacheFolder::State::read_entry(const std::string& dige
 }
 
 std::optional<CacheEntry> CacheFolder::State::look_up(const std::string& digest, bool& damaged) {
-  bool damaged_copy = false;
-  if (auto out = look_up_in_bundles(digest, damaged_copy)) return out;
-  damaged = damaged_copy;
   const int folder = root ? folder_of(digest, false) : -1;
   if (folder < 0) return std::nullopt;
   const std::string name = entry_name(digest);
   Descriptor file(sys::open_in(folder, name, sys::OpenIn::read));
-  damaged = damaged || errno != ENOENT;
-  if (!file) return std::nullopt;
-  damaged = true;
+  damaged = file || errno != ENOENT;
   sys::FileInfo info;
-  if (!sys::file_info(file.get(), info) || info.kind != sys::FileInfo::Kind::file) return std::nullopt;
+  if (!file || !sys::file_info(file.get(), info) || info.kind != sys::FileInfo::Kind::file)
+    return std::nullopt;
   std::array<char, usual_entry> usual;
   const std::span<char> begin(usual.data(),
                               static_cast<std::size_t>(std::min<std::uint64_t>(info.size, usual.size())));
@@ -195,7 +195,6 @@ std::optional<CacheEntry> CacheFolder::State::look_up(const std::string& digest,
   auto out = read_entry(digest, bytes, info.size, file.get());
   if (!out) return std::nullopt;
   if (is_old(info.written)) (void)sys::touch_in(folder, name.c_str());
-  if (out->rest_size == 0 && bytes.size() == info.size) add_to_bundle(digest, bytes);
   out->file = std::move(file);
   return out;
 }

@@ -26,6 +26,10 @@ struct CacheEntry {
 
 /// A folder of results of earlier runs, a file for each, that any number of programs on any number of
 /// machines read and write at the same time. Any thread may call.
+///   owner    the folder is the cache's own: DIR/CACHEDIR.TAG marks it. A folder without that file is marked
+///            where it is empty or holds only names that a cache makes, as caches of earlier versions do; any
+///            other one is refused. In a marked folder too, only names that a cache makes are ever removed, and
+///            DIR/account is replaced only where a cache has written it
 ///   names    an entry is found by a digest: 64 hexadecimal digits that tell all that its content depends on
 ///   seals    it begins with a checksum of its text and of that digest, so that damage and an entry under
 ///            another's name count as none. With a key the checksum is an HMAC, so that entries of writers
@@ -38,11 +42,6 @@ struct CacheEntry {
 ///            entries that were used longest ago go until nine tenths are left. Every 256th time, and where
 ///            there is no number, all entries are counted anew, because runs that were killed have not
 ///            added theirs
-///   bundles  where a run has found a thousand small entries or more in files of their own, it leaves copies of
-///            them in one file in DIR/bundles, of which each entry is read by one call. Of a bundle only entries
-///            count whose seal is right; where one does not, its own file is read. A bundle is counted and goes
-///            like an entry, by its own use, and takes a quarter of the cache at most. There are 32 at most: the
-///            one that was used longest ago makes room
 ///   use      a hit sets the time of an entry where that is more than an hour old. Times are compared with
 ///            those that the folder's own file system gives, so clocks of machines do not matter. A time in
 ///            its future is set to now, so that such an entry ages like others
@@ -50,14 +49,11 @@ struct CacheEntry {
 /// folder that cannot be written is read only, and use() says why; nothing throws but the constructor.
 class CacheFolder {
  public:
-  /// Throws Error where the path leads to something that is no folder.
+  /// Throws Error where the path leads to something that is no folder, or to a folder that is not a cache's own.
   explicit CacheFolder(CacheOptions options);
   ~CacheFolder();
   CacheFolder(const CacheFolder&) = delete;
   CacheFolder& operator=(const CacheFolder&) = delete;
-
-  /// To be called before so many look-ups, by one thread. From a thousand on bundles are read and made.
-  void expect(std::size_t look_ups);
 
   /// The entry of that digest; none where there is none that counts.
   std::optional<CacheEntry> find(const std::string& digest);

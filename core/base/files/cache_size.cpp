@@ -4,24 +4,14 @@
 #include <tuple>
 
 #include "core/base/files/cache_state.h"
-#include "core/base/number.h"
 
 namespace etak {
 namespace {
 
-constexpr std::string_view account_file = "account";
-// Entries of etak from before there was a size: nothing finds them any more, so that they are the first to go.
-constexpr std::string_view old_entry_ending = ".json";
 constexpr std::uint64_t runs_between_counts = 256;
 // Another program may hold the lock of the folder for ever. Without it nothing breaks: two programs then do
 // the same work, or the account is wrong until entries are counted again.
 constexpr std::chrono::seconds most_wait_to_settle{2};
-
-bool is_entry_name(std::string_view name) {
-  constexpr std::size_t digits = digest_digits - folder_digits;
-  return name.size() > digits && are_hex_digits(name.substr(0, digits)) &&
-         (name.substr(digits) == entry_ending || name.substr(digits) == old_entry_ending);
-}
 
 bool same_time(const sys::FileInfo::Time& a, const sys::FileInfo::Time& b) {
   return a.seconds == b.seconds && a.nanoseconds == b.nanoseconds;
@@ -41,29 +31,20 @@ std::vector<FoundEntry> CacheFolder::State::list(std::vector<Descriptor>& opened
   std::vector<FoundEntry> out;
   if (!root) return out;
   for (const std::string& folder : names_in(root.get())) {
-    if (folder.size() != folder_digits || !are_hex_digits(folder)) continue;
+    const IsOwnName is_own = folder == folder_of_new_entries ? nullptr : own_names_of(folder);
+    if (is_own == nullptr) continue;
     Descriptor again = open_folder(root.get(), folder);
     sys::FolderReader reader(again ? sys::reopen_folder(again.get()) : -1);
     if (!reader) continue;
     for (sys::FolderReader::Entry entry; reader.next(entry);) {
       sys::FileInfo info;
-      if (!is_entry_name(entry.name) || !sys::file_info_in(again.get(), entry.name, info) ||
+      if (!is_own(entry.name) || !sys::file_info_in(again.get(), entry.name, info) ||
           info.kind != sys::FileInfo::Kind::file)
         continue;
       out.push_back(
           {opened.size(), entry.name, info.number, in_blocks(info.size), info.written, info.written});
     }
     opened.push_back(std::move(again));
-  }
-  if (Descriptor folder = open_bundles()) {
-    for (const std::string& name : names_in(folder.get())) {
-      sys::FileInfo info;
-      if (is_bundle_name(name) && sys::file_info_in(folder.get(), name.c_str(), info) &&
-          info.kind == sys::FileInfo::Kind::file)
-        out.push_back(
-            {opened.size(), name, info.number, in_blocks(info.size), info.written, info.written, true});
-    }
-    opened.push_back(std::move(folder));
   }
   return out;
 }
@@ -74,7 +55,9 @@ void CacheFolder::State::clean_new(const sys::FileInfo::Time& now) {
   if (folder < 0) return;
   for (const std::string& name : names_in(folder)) {
     sys::FileInfo info;
-    if (!sys::file_info_in(folder, name.c_str(), info) || info.kind != sys::FileInfo::Kind::file) continue;
+    if (!is_new_name(name) || !sys::file_info_in(folder, name.c_str(), info) ||
+        info.kind != sys::FileInfo::Kind::file)
+      continue;
     const std::int64_t age = now.seconds - info.written.seconds;
     if (age > hour) (void)sys::remove_in(folder, name.c_str());
     if (age < -hour) (void)sys::touch_in(folder, name.c_str());
@@ -113,7 +96,7 @@ std::uint64_t CacheFolder::State::count_and_trim() {
       if (!sys::remove_in(folder, entry.name.c_str())) {
         if (errno != ENOENT) continue;
       } else {
-        evicted += !entry.is_bundle;
+        ++evicted;
       }
     }
     total -= entry.bytes;
@@ -124,31 +107,20 @@ std::uint64_t CacheFolder::State::count_and_trim() {
 void CacheFolder::settle() {
   State& s = *state_;
   const std::lock_guard guard(s.settling);
-  s.keep_bundle();
   const std::uint64_t mine = s.added.exchange(0);
   if (!s.root || mine == 0) return;
   const FolderLock lock(s.root.get(), most_wait_to_settle);
-  const auto account = [&]() -> std::optional<std::pair<std::uint64_t, std::uint64_t>> {
-    const Descriptor file(sys::open_in(s.root.get(), std::string(account_file), sys::OpenIn::read));
-    sys::FileInfo info;
-    if (!file || !sys::file_info(file.get(), info) || info.kind != sys::FileInfo::Kind::file ||
-        info.size > longest_head)
-      return std::nullopt;
-    std::string text(static_cast<std::size_t>(info.size), '\0');
-    if (!fill_from(file.get(), text) || !text.ends_with('\n')) return std::nullopt;
-    std::string_view line(text.data(), text.size() - 1);
-    if (take_word(line) != cache_format) return std::nullopt;
-    const auto bytes = whole_number<std::uint64_t>(take_word(line)), runs = whole_number<std::uint64_t>(line);
-    if (!bytes || !runs) return std::nullopt;
-    return std::pair(*bytes, *runs);
-  }();
-  std::uint64_t total = account ? account->first + mine : 0;
-  const std::uint64_t runs = account ? account->second + 1 : 1;
+  const auto text = first_bytes_of(s.root.get(), account_file);
+  sys::FileInfo info;
+  const bool foreign = text ? !is_account(*text) : sys::file_info_in(s.root.get(), account_file, info);
+  const auto account = text ? read_account(*text) : std::nullopt;
+  std::uint64_t total = account ? account->bytes + mine : 0;
+  const std::uint64_t runs = account ? account->runs + 1 : 1;
   if (!account || total > s.options.most_bytes || runs % runs_between_counts == 0) total = s.count_and_trim();
   NewEntry::Open file(s);
-  if (!file.create()) return;
+  if (foreign || !file.create()) return;
   file.add(std::string(cache_format) + ' ' + std::to_string(total) + ' ' + std::to_string(runs) + '\n');
-  (void)file.rename_to(s.root.get(), std::string(account_file));
+  (void)file.rename_to(s.root.get(), account_file);
 }
 
 CacheUse CacheFolder::use() {
@@ -160,12 +132,13 @@ CacheUse CacheFolder::use() {
     std::vector<Descriptor> opened;
     CacheSize& size = out.size.emplace();
     for (const FoundEntry& entry : s.list(opened)) {
-      size.entries += !entry.is_bundle;
+      ++size.entries;
       size.bytes += entry.bytes;
     }
   }
   const std::lock_guard guard(s.lock);
   out.fault = s.why;
+  out.missing = !s.root;
   return out;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the sources of CacheFolder share: cache_folder.cpp finds and keeps entries, cache_size.cpp counts them and
-// keeps the folder within its bound.
+// keeps the folder within its bound, cache_names.cpp knows which files of the folder are the cache's own.
 #pragma once
 
 #include <algorithm>
@@ -23,6 +23,8 @@
 namespace etak {
 
 inline constexpr std::string_view cache_format = "etak-cache/1", entry_ending = ".entry";
+inline constexpr const char *folder_of_new_entries = "new", *account_file = "account",
+                            *tag_file = "CACHEDIR.TAG";
 inline constexpr std::size_t folder_digits = 2, digest_digits = 64, longest_head = 256;
 inline constexpr std::int64_t hour = 3600;
 // Most entries are not larger, and are read by one call.
@@ -67,10 +69,25 @@ inline bool is_old(const sys::FileInfo::Time& time) {
   return age > hour || age < -hour;
 }
 
-// Of a file in the folder of bundles.
-bool is_bundle_name(std::string_view name);
+// Whether a cache makes files of a name. In DIR/new: what becomes an entry, the account or the tag.
+bool is_new_name(std::string_view name);
+// Whether a cache makes files of a name in DIR/FOLDER; null: it makes no such folder.
+using IsOwnName = bool (*)(std::string_view name);
+IsOwnName own_names_of(std::string_view folder);
 
-// Where an entry or a bundle is, what it takes, and when it was used.
+// The first bytes of a regular file, as many as a line of a cache has at most; none where it cannot be read.
+std::optional<std::string> first_bytes_of(int folder, const std::string& name);
+
+// Whether the text of DIR/account was written by a cache, or is what a power cut leaves of one.
+bool is_account(std::string_view text);
+
+// What DIR/account tells: the bytes of all entries, and how many runs have added to them.
+struct CacheAccount {
+  std::uint64_t bytes = 0, runs = 0;
+};
+std::optional<CacheAccount> read_account(std::string_view text);
+
+// Where an entry is, what it takes, and when it was used.
 //   folder    of the list of folders
 //   written   the time of the file
 //   used      the same, but never in the future
@@ -79,10 +96,9 @@ struct FoundEntry {
   std::string name;
   std::uint64_t number = 0, bytes = 0;
   sys::FileInfo::Time written, used;
-  bool is_bundle = false;
 };
 
-// A file in DIR/new that becomes an entry, a bundle, or the account.
+// A file in DIR/new that becomes an entry, the account, or the tag.
 struct CacheFolder::NewEntry::Open {
   State& state;
   int folder = -1;  // DIR/new
@@ -123,6 +139,9 @@ struct CacheFolder::State {
   std::atomic<std::uint64_t> added{0};  // bytes that the account does not hold yet
   std::mutex settling;
 
+  // Marks the folder as the cache's own where it may be; throws Error where it may not.
+  void own_folder();
+
   std::string seal(std::string_view digest, std::string_view sizes, std::string_view text) const;
 
   // The open folder of an entry, -1 where it is missing; errno tells why. A link in its place is not followed.
@@ -138,27 +157,6 @@ struct CacheFolder::State {
   //   file   that goes on behind `bytes`; -1: none
   std::optional<CacheEntry> read_entry(const std::string& digest, std::string_view bytes, std::uint64_t size,
                                        int file) const;
-
-  // An open bundle of another run, with its index as it was read.
-  struct Bundle {
-    Descriptor file;
-    std::string name, index;
-    std::uint64_t entries_end = 0;
-    sys::FileInfo::Time written;
-    std::atomic<bool> used{false};
-  };
-  Descriptor bundles_folder;
-  std::vector<std::unique_ptr<Bundle>> bundles;
-  std::mutex bundle_lock;  // of what follows
-  bool bundling = false;
-  std::unique_ptr<NewEntry::Open> new_bundle;
-  std::vector<std::string> bundle_rows;
-
-  Descriptor open_bundles();
-  void read_bundles();
-  std::optional<CacheEntry> look_up_in_bundles(const std::string& digest, bool& damaged);
-  void add_to_bundle(const std::string& digest, std::string_view bytes);
-  void keep_bundle();
 
   std::vector<FoundEntry> list(std::vector<Descriptor>& opened);
   sys::FileInfo::Time now();

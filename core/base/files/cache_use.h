@@ -35,12 +35,14 @@ struct CacheSize {
 };
 
 /// What a run did with its cache, and what is there at its end.
-///   size    none where nobody asked for it
-///   fault   why nothing is kept any more; empty where all is well
+///   size      none where nobody asked for it
+///   fault     why nothing is kept any more; empty where all is well
+///   missing   there is no folder, and none could be made
 struct CacheUse {
   CacheCounts counts;
   std::optional<CacheSize> size;
   std::string fault;
+  bool missing = false;
 };
 
 /// The numbers as one line of text, and as JSON (resources/schema/cache.schema.json).

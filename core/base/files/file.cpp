@@ -4,6 +4,7 @@
 #include <cerrno>
 
 #include "core/base/error.h"
+#include "core/base/files/between_files.h"
 #include "core/base/files/input.h"
 #include "core/base/files/output_file.h"
 #include "core/base/memory.h"
@@ -28,6 +29,7 @@ std::size_t read_some(int fd, std::string& out, std::size_t wanted, const std::s
 }  // namespace
 
 void read_file(const std::string& path, std::string& out, std::size_t most) {
+  BetweenFiles::call();
   out.clear();
   const OpenedInput opened = open_input(path, most);
   const std::size_t size = opened.size;

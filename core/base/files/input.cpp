@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/memory.h"
@@ -148,6 +149,7 @@ struct Accepted {
   std::mutex lock;
   std::map<std::string, std::unique_ptr<Pipe>> descriptors;
   std::map<std::string, std::unique_ptr<Pipe>> named;
+  std::set<std::string> typed;
   double timeout = 60;
 };
 
@@ -225,8 +227,18 @@ double timeout_of_inputs() {
 
 }  // namespace
 
+std::vector<std::string> accepted_inputs() {
+  Accepted& all = accepted();
+  const std::lock_guard guard(all.lock);
+  return {all.typed.begin(), all.typed.end()};
+}
+
 std::string accept_input(const std::string& typed) {
   Accepted& all = accepted();
+  {
+    const std::lock_guard guard(all.lock);
+    all.typed.insert(typed);
+  }
   if (const auto number = descriptor_of(typed)) {
     const std::string path =
         *number == sys::standard_input ? std::string(stdin_name) : "<fd " + std::to_string(*number) + '>';

@@ -26,6 +26,9 @@ inline constexpr std::string_view stdin_name = "<stdin>";
 /// an input holds are thereby relative to the working folder. Throws Error when standard input is named a second time.
 std::string accept_input(const std::string& typed);
 
+/// What accept_input() was given.
+std::vector<std::string> accepted_inputs();
+
 /// The path of accept_input() as it is typed: "-" for "<stdin>", "/dev/fd/63" for "<fd 63>".
 std::string typed_input(const std::string& path);
 

@@ -17,11 +17,13 @@ class OutputFile : public Output {
  public:
   /// Writes a temporary beside `path` (temporary.h) and flushes it to disk. Throws Error when `path` exists
   /// and `overwrite` is false, or on any failure; nothing is left then.
-  OutputFile(const std::string& path, std::string_view bytes, bool overwrite);
+  ///   most_mode   permissions beyond these are taken away (strictest_mode)
+  OutputFile(const std::string& path, std::string_view bytes, bool overwrite, unsigned most_mode = 0777);
 
  private:
   void prepare() override;
   void place() override;
+  void flush() override;
   [[noreturn]] void fail(const char* what) const;
 
   std::string path_;  // as the caller wrote it, for messages

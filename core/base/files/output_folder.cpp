@@ -51,13 +51,14 @@ struct OutputFolder::State {
   std::string parent_path;  // without links
   std::string name;         // of the target in its parent
   Replace replace = Replace::nothing;
-  bool inside = false;               // the new folder is made in the target, not beside it
-  bool exchanges = true;             // else files are renamed one by one
-  Descriptor parent;                 // where the new folder is made: of the target, or the target itself
-  Temporary fresh;                   // the new folder; the old one, after an exchange
-  FolderLock placing;                // of the parent, from the last look on
-  std::optional<Descriptor> placed;  // the target, once the set is in place
-  std::mutex lock;                   // of the two sets
+  bool inside = false;                // the new folder is made in the target, not beside it
+  bool exchanges = true;              // else files are renamed one by one
+  Descriptor parent;                  // where the new folder is made: of the target, or the target itself
+  Temporary fresh;                    // the new folder; the old one, after an exchange
+  std::optional<FolderLock> placing;  // from the last look on
+  std::optional<Descriptor> placed;   // the target, once the set is in place
+  unsigned mode = 0777;               // of new files, at most
+  std::mutex lock;                    // of the two sets
   std::set<std::string> files, removed;
   DiskQueue disk;
 
@@ -79,8 +80,8 @@ struct OutputFolder::State {
   void find_target();
   void refuse_read_only() const;
   std::vector<std::string> strangers(int target) const;
-  bool bring_along(int target, std::vector<std::string>& linked, std::vector<std::string>& moved);
-  void put_back(int target, const std::vector<std::string>& linked, const std::vector<std::string>& moved);
+  bool link_along(int target, const std::vector<std::string>& all) const;
+  bool move_folders(const std::vector<std::string>& all);
   void exchange();
   void rename_one_by_one();
 };
@@ -190,6 +191,10 @@ void OutputFolder::File::close() {
   open_.reset();
 }
 
+void OutputFolder::limit_mode(unsigned most) {
+  state_->mode = most | 0200;
+}
+
 std::string OutputFolder::path_until_commit(const std::string& name) const {
   const State& s = *state_;
   return (s.inside ? s.target_path() : s.parent_path) + "/" + s.fresh.name() + "/" + name;
@@ -206,7 +211,7 @@ std::unique_ptr<OutputFolder::File> OutputFolder::open(const std::string& name) 
   const SignalsHeld held;
   // From here on the destructor of the file takes the name out of the set again.
   std::unique_ptr<File> out(new File(std::make_unique<File::Open>(File::Open{s, name, Descriptor(), {}})));
-  out->open_->file = Descriptor(sys::open_in(s.fresh_folder(), name, sys::OpenIn::create, 0666));
+  out->open_->file = Descriptor(sys::open_in(s.fresh_folder(), name, sys::OpenIn::create, 0666 & s.mode));
   if (!out->open_->file) s.fail("cannot be written", name);
   return out;
 }
@@ -230,34 +235,39 @@ void OutputFolder::remove_old(const std::string& name) {
 
 // What the target holds that is neither replaced nor removed.
 std::vector<std::string> OutputFolder::State::strangers(int target) const {
+  // A list that breaks off would lose what it does not name.
+  errno = 0;
   std::vector<std::string> out = names_in(target);
+  if (errno != 0) fail("cannot be listed");
   std::erase_if(out, [&](const std::string& entry) {
     return files.count(entry) != 0 || (removed.count(entry) != 0 && !is_folder(target, entry));
   });
   return out;
 }
 
-// False where something cannot come along; `linked` and `moved` say what did.
-bool OutputFolder::State::bring_along(int target, std::vector<std::string>& linked,
-                                      std::vector<std::string>& moved) {
-  const std::vector<std::string> all = strangers(target);
-  for (const std::string& entry : all) {
-    if (is_folder(target, entry)) continue;
-    if (!sys::link_in(target, entry, fresh_folder(), entry)) return false;
-    linked.push_back(entry);
-  }
-  for (const std::string& entry : all) {
-    if (!is_folder(target, entry)) continue;
-    if (!sys::rename_in(target, entry, fresh_folder(), entry)) return false;
-    moved.push_back(entry);
-  }
-  return true;
+// Gives the files a second name in the new folder, and makes links there that lead to the folders once the target's
+// own folder has the name of the new one. False where one of these cannot be.
+bool OutputFolder::State::link_along(int target, const std::vector<std::string>& all) const {
+  return std::ranges::all_of(all, [&](const std::string& entry) {
+    return is_folder(target, entry)
+               ? sys::make_link_in(fresh_folder(), "../" + fresh.name() + "/" + entry, entry)
+               : sys::link_in(target, entry, fresh_folder(), entry);
+  });
 }
 
-void OutputFolder::State::put_back(int target, const std::vector<std::string>& linked,
-                                   const std::vector<std::string>& moved) {
-  for (const std::string& entry : linked) sys::remove_in(fresh_folder(), entry.c_str());
-  for (const std::string& entry : moved) sys::rename_in(fresh_folder(), entry, target, entry);
+// After the exchange: puts the folders in the places of the links to them. False, and all is as it was, where one
+// cannot be moved: it is a mount point, or somebody else's.
+bool OutputFolder::State::move_folders(const std::vector<std::string>& all) {
+  const auto exchanged = [&](const std::string& entry) {
+    return sys::exchange_in(fresh_folder(), entry, placed->get(), entry);
+  };
+  for (auto at = all.begin(); at != all.end(); ++at) {
+    if (!is_folder(fresh_folder(), *at) || exchanged(*at)) continue;
+    while (at != all.begin())
+      if (is_folder(placed->get(), *--at)) exchanged(*at);
+    return false;
+  }
+  return true;
 }
 
 void OutputFolder::State::exchange() {
@@ -269,28 +279,29 @@ void OutputFolder::State::exchange() {
   if (!sys::set_mode(fresh_folder(), there ? old.mode : mode_of_new_folder())) fail("cannot be put in place");
 
   if (!there) {
-    if (!sys::to_disk(fresh_folder())) fail("cannot be put in place");
-    // Where the system cannot look and rename in one step (old kernels, some network file systems): what has
-    // appeared meanwhile, if it holds anything, stops a plain rename too.
-    if (!sys::rename_new_in(parent.get(), fresh.name(), parent.get(), name) &&
-        ((errno != EINVAL && errno != ENOSYS) ||
-         !sys::rename_in(parent.get(), fresh.name(), parent.get(), name)))
+    if (!sys::to_disk(fresh_folder()) || !rename_where_free(parent.get(), fresh.name(), parent.get(), name))
       fail("cannot be put in place");
     (void)fresh.keep();
-    (void)sys::to_disk(parent.get());
+    placed = open_target();
     return;
   }
 
-  std::vector<std::string> linked, moved;
-  const bool whole = bring_along(target.get(), linked, moved) && sys::to_disk(fresh_folder());
-  if (!whole || !sys::exchange_in(parent.get(), fresh.name(), name)) {
-    put_back(target.get(), linked, moved);
-    rename_one_by_one();
-    return;
+  // So that no other run takes the old folder for the remains of a kill, where nobody else holds this lock.
+  (void)sys::try_lock(target.get());
+  const std::vector<std::string> all = strangers(target.get());
+  const auto exchange_names = [&] {
+    return sys::exchange_in(parent.get(), fresh.name(), parent.get(), name);
+  };
+  if (link_along(target.get(), all) && sys::to_disk(fresh_folder()) && exchange_names()) {
+    // A folder that somebody has put into the old target meanwhile is moved to the new one by tidy().
+    placed = fresh.exchanged(std::move(target));
+    if (move_folders(all)) return;
+    if (!exchange_names()) fail("cannot be put in place");
+    (void)fresh.exchanged(std::move(*placed));
+    placed.reset();
   }
-  (void)sys::to_disk(parent.get());
-  // A folder that somebody has put into the old target meanwhile is moved to the new one.
-  placed = fresh.exchanged(std::move(target));
+  for (const std::string& entry : all) sys::remove_in(fresh_folder(), entry.c_str());
+  rename_one_by_one();
 }
 
 void OutputFolder::State::rename_one_by_one() {
@@ -305,7 +316,6 @@ void OutputFolder::State::rename_one_by_one() {
       fail("cannot be put in place (files before it in the alphabet have been)", file);
   for (const std::string& old : removed)
     if (files.count(old) == 0) sys::remove_in(target.get(), old.c_str());
-  (void)sys::to_disk(target.get());
   placed = std::move(target);
 }
 
@@ -318,9 +328,9 @@ void OutputFolder::prepare() {
   }
   // One commit into this parent at a time, so that no file is left behind that appears between the look
   // and the exchange.
-  s.placing = FolderLock(s.parent.get(), most_wait);
-  if (s.placing.is_taken())
-    throw Error::at(s.path, "cannot be put in place: another program holds the lock of its folder");
+  s.placing.emplace(s.parent.get(), most_wait, s.inside ? "" : s.name);
+  if (s.placing->is_taken())
+    throw Error::at(s.path, "cannot be put in place: another run of etak holds its lock");
   using Kind = sys::FileInfo::Kind;
   sys::FileInfo info;
   if (!s.inside && sys::file_info_in(s.parent.get(), s.name.c_str(), info) && info.kind != Kind::folder)
@@ -330,6 +340,7 @@ void OutputFolder::prepare() {
     for (const std::string& file : s.files) {
       if (!sys::file_info_in(target.get(), file.c_str(), info)) continue;
       if (info.kind == Kind::folder) throw Error::at(s.path + "/" + file, "is a folder", "a file to replace");
+      refuse_input(info, s.path + "/" + file);
       if (s.replace == Replace::nothing) throw exists_already(s.path + "/" + file);
     }
 }
@@ -339,7 +350,13 @@ void OutputFolder::place() {
     state_->exchange();
   else
     state_->rename_one_by_one();
-  state_->placing.release();
+  state_->placing.reset();
+}
+
+void OutputFolder::flush() {
+  const State& s = *state_;
+  if (!names_to_disk(s.placed->get()) || (!s.inside && !names_to_disk(s.parent.get())))
+    s.fail("is in place, but its folder cannot be flushed");
 }
 
 void OutputFolder::tidy() {

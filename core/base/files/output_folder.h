@@ -21,7 +21,9 @@ bool is_plain_file_name(std::string_view name);
 ///   How: everything is written to a new folder beside the target (temporary.h), then the two are exchanged
 ///   in one step (renameat2 RENAME_EXCHANGE; a plain rename when the target is not there yet). Files of the
 ///   target that the new set does not replace and the caller did not name to remove_old move along as they
-///   are (hard links; folders are moved). Where that cannot be, the files are renamed into the target one by
+///   are (hard links). So do folders: the new folder has links to them, which are exchanged with the folders
+///   themselves directly after it has taken its place, so that a folder can be reached by its path at any
+///   time; what a kill leaves of this the next set finishes. Where that cannot be, the files are renamed into the target one by
 ///   one, "layout*.json" last: each file is then whole at any time, but a process killed between two renames
 ///   leaves a mixed set, in which the layout is the old one. It cannot be where the file system has no
 ///   exchange or no hard links; where the target is a mount point; where its parent cannot be written (the
@@ -33,6 +35,10 @@ class OutputFolder : public Output {
   /// Creates the new folder. The parents of `path` must exist. Throws Error.
   OutputFolder(const std::string& path, Replace replace);
   ~OutputFolder() override;
+
+  /// Takes permissions beyond these away from the files that are opened from here on (strictest_mode). To be
+  /// called before the first of them. Their user may write them nevertheless, to change or remove them.
+  void limit_mode(unsigned most);
 
   /// A new file "name" (no '/'), written by calling `body` with a sink for its bytes. It goes on to the disk
   /// while others are made; commit() waits for that. Throws Error, also for a full disk; what `body` throws
@@ -71,6 +77,7 @@ class OutputFolder : public Output {
  private:
   void prepare() override;
   void place() override;
+  void flush() override;
   void tidy() override;
 
   struct State;

@@ -30,7 +30,7 @@ FileTarget file_target(const std::string& path, bool overwrite) {
   FileTarget out;
   sys::FileInfo info;
   out.exists = sys::file_info(path, info);
-  out.mode = info.mode;
+  out.mode = info.mode & 0777;
   if (out.exists && info.kind == sys::FileInfo::Kind::folder)
     throw Error::at(path, "is a folder", "a file to write");
   out.is_device = out.exists && info.kind != sys::FileInfo::Kind::file;
@@ -65,6 +65,14 @@ void check_folder_target(const std::string& path, std::span<const std::string> n
   sys::FileInfo info;
   for (const std::string& name : names)
     if (sys::file_info(path + "/" + name, info)) throw exists_already(path + "/" + name);
+}
+
+void remove_remains(const std::string& path) {
+  try {
+    check_folder_target(path, {}, Replace::anything);
+  } catch (const Error&) {
+    // The next run that writes there removes them, or says why it cannot write.
+  }
 }
 
 }  // namespace etak

@@ -16,7 +16,7 @@ namespace etak {
 struct FileTarget {
   bool exists = false;
   bool is_device = false;  // or a pipe: is written to and not replaced
-  unsigned mode = 0;       // of the file that exists
+  unsigned mode = 0;       // permissions of the file that exists
   std::string folder;      // behind a symbolic link, which stays; "" is the working folder
   std::string name;        // in it
 };
@@ -39,6 +39,10 @@ enum class Replace {
 /// The same for a folder of files (OutputFolder): throws Error where `path` is a file, where it can be
 /// neither made nor changed, and, with Replace::nothing, where it holds one of `names`.
 void check_folder_target(const std::string& path, std::span<const std::string> names, Replace replace);
+
+/// Removes what runs to this folder that were killed have left beside it, where nothing is to be written. It says
+/// nothing where it cannot.
+void remove_remains(const std::string& path);
 
 /// "PATH: exists already; expected a new name, or force to replace it"; force as setting() says it
 Error exists_already(const std::string& path);

@@ -31,19 +31,28 @@ std::string name_in_folder(const std::string& name) {
   return name.substr(name.rfind('/') + 1);
 }
 
+/// The name, among the temporaries, of the file that number `i` replaces.
+std::string old_of(std::size_t i) {
+  return "old" + std::to_string(i);
+}
+
 }  // namespace
 
 struct OutputTree::State {
   std::string path;  // as the caller wrote it, for messages
   bool overwrite = false, made = false;
   Descriptor folder;
-  Temporary fresh;                 // holds the files by their numbers
+  Temporary fresh;  // holds the files by their numbers, and the old ones while they are replaced
   std::vector<std::string> names;  // of the files, by number
+  std::vector<bool> replaces;      // by number: whether there was a file in its place
   std::set<std::string> taken;
   std::vector<std::string> new_folders;  // paths below the folder, parents first
+  std::set<std::string> folders{""};     // all paths of folders below it, each with a slash behind it
   DiskQueue disk;
 
   Descriptor folder_of(const std::string& name, bool make);
+  bool place_one(std::size_t i);
+  void take_back(std::size_t placed);
 
   [[noreturn]] void fail(const char* what, const std::string& file = {}) const {
     const int why = errno;
@@ -74,6 +83,7 @@ Descriptor OutputTree::State::folder_of(const std::string& name, bool make) {
       fail("cannot be opened", below);
     }
     at = std::move(next);
+    if (make) folders.insert(below + '/');
   }
   return at;
 }
@@ -98,14 +108,15 @@ OutputTree::~OutputTree() {
   tidy();
 }
 
-void OutputTree::write(const std::string& name, std::string_view bytes) {
+void OutputTree::write(const std::string& name, std::string_view bytes, std::optional<unsigned> mode) {
   State& s = *state_;
   if (!is_path_below(name))
     throw Error::at(s.path, "cannot hold a file named " + printable(name), "a path below the folder");
   if (!s.taken.insert(name).second) throw Error::at(s.path + "/" + name, "is written twice");
   const std::string number = std::to_string(s.names.size());
   Descriptor file(sys::open_in(s.fresh.open().get(), number, sys::OpenIn::create, mode_of_new_file()));
-  if (!file || !write_all(file.get(), bytes)) s.fail("cannot be written", name);
+  if (!file || !write_all(file.get(), bytes) || (mode && !sys::set_mode(file.get(), *mode & 0777)))
+    s.fail("cannot be written", name);
   s.names.push_back(name);
   s.disk.add(std::move(file), name);
 }
@@ -119,23 +130,59 @@ void OutputTree::prepare() {
   for (const std::string& name : s.names) {
     const Descriptor folder = s.folder_of(name, true);
     sys::FileInfo info;
-    if (!sys::file_info_in(folder.get(), name_in_folder(name).c_str(), info)) continue;
+    if (sys::file_info(folder.get(), info))
+      refuse_input(info, s.path + "/" + name.substr(0, name.rfind('/') + 1));
+    s.replaces.push_back(sys::file_info_in(folder.get(), name_in_folder(name).c_str(), info));
+    if (!s.replaces.back()) continue;
     const std::string target = s.path + "/" + name;
+    refuse_input(info, target);
     if (info.kind == sys::FileInfo::Kind::folder) throw Error::at(target, "is a folder", "a file to replace");
     if (!s.overwrite) throw exists_already(target);
+  }
+}
+
+bool OutputTree::State::place_one(std::size_t i) {
+  const Descriptor at = folder_of(names[i], false);
+  const std::string number = std::to_string(i), name = name_in_folder(names[i]);
+  const int from = fresh.open().get();
+  if (!replaces[i]) return rename_where_free(from, number, at.get(), name);
+  // Where there are no hard links, what is replaced cannot be put back.
+  (void)sys::link_in(at.get(), name, from, old_of(i));
+  return sys::rename_in(from, number, at.get(), name);
+}
+
+// Undoes the first `placed` renames.
+void OutputTree::State::take_back(std::size_t placed) {
+  for (std::size_t i = placed; i-- > 0;) {
+    const Descriptor at = folder_of(names[i], false);
+    const std::string name = name_in_folder(names[i]);
+    if (replaces[i])
+      sys::rename_in(fresh.open().get(), old_of(i), at.get(), name);
+    else
+      sys::remove_in(at.get(), name.c_str());
   }
 }
 
 void OutputTree::place() {
   State& s = *state_;
   for (std::size_t i = 0; i < s.names.size(); ++i) {
-    const Descriptor folder = s.folder_of(s.names[i], false);
-    if (!sys::rename_in(s.fresh.open().get(), std::to_string(i), folder.get(), name_in_folder(s.names[i])))
-      s.fail("cannot be put in place (files written before it have been)", s.names[i]);
+    if (s.place_one(i)) continue;
+    const int why = errno;
+    s.take_back(i);
+    if (why == EEXIST) throw exists_already(s.path + "/" + s.names[i]);
+    errno = why;
+    s.fail("cannot be put in place", s.names[i]);
   }
-  (void)sys::to_disk(s.folder.get());
-  s.made = false;
   s.new_folders.clear();
+}
+
+void OutputTree::flush() {
+  State& s = *state_;
+  bool good = true;
+  for (const std::string& folder : s.folders) good = names_to_disk(s.folder_of(folder, false).get()) && good;
+  if (std::exchange(s.made, false))
+    if (const Descriptor above = open_folder(s.folder.get(), "..")) good = names_to_disk(above.get()) && good;
+  if (!good) s.fail("is in place, but its folders cannot be flushed");
 }
 
 void OutputTree::tidy() {

@@ -17,9 +17,8 @@ using namespace std::chrono_literals;
 
 constexpr std::string_view mark = ".etak-";
 constexpr std::size_t letters = 6;
+constexpr std::string_view alphabet = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 constexpr std::size_t longest_name = 255;
-// The removal of remains can wait for another run.
-constexpr auto most_wait_to_clean = 1s;
 
 std::string prefix_of(std::string_view name) {
   constexpr std::size_t most = longest_name - 1 - mark.size() - letters;
@@ -39,7 +38,6 @@ std::string prefix_of(std::string_view name) {
 }
 
 std::string random_letters() {
-  constexpr std::string_view alphabet = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
   std::array<std::uint32_t, letters> numbers{};
   if (!sys::random_bytes(numbers.data(), sizeof numbers)) return {};
   std::string out;
@@ -54,6 +52,17 @@ std::vector<std::string> names_of(sys::FolderReader& listing) {
   return out;
 }
 
+// Moves a folder home, in one step. OutputFolder leaves a link to the folder at its place there, which goes then.
+void move_home(int from, const std::string& name, int home) {
+  sys::FileInfo there, behind, folder;
+  if (sys::rename_new_in(from, name, home, name) || !sys::file_info_in(home, name.c_str(), there) ||
+      there.kind != sys::FileInfo::Kind::link || !sys::file_info_in(home, name.c_str(), behind, true) ||
+      !sys::file_info_in(from, name.c_str(), folder) || behind.device != folder.device ||
+      behind.number != folder.number)
+    return;
+  if (sys::exchange_in(from, name, home, name)) sys::remove_in(from, name.c_str());
+}
+
 // Needs no descriptor but `open`, the folder itself, so that it works where no file can be opened any more.
 // Folders in it belong to others and were on their way to a new target: they are moved (back) to `home`.
 // Where that fails, everything that is left stays.
@@ -65,7 +74,7 @@ void remove_folder(int parent, const std::string& name, int home, Descriptor ope
       if (!is_folder(folder, entry))
         sys::remove_in(folder, entry.c_str());
       else if (home >= 0)
-        sys::rename_new_in(folder, entry, home, entry);
+        move_home(folder, entry, home);
     }
     sys::remove_folder_in(parent, name.c_str());
     return;  // the lock goes with the descriptor
@@ -73,12 +82,21 @@ void remove_folder(int parent, const std::string& name, int home, Descriptor ope
   sys::remove_folder_in(parent, name.c_str());
 }
 
-void remove_remains(int parent, const std::string& prefix, int home) {
+// Removes what a killed run has left: it has the form of a temporary's name, the owner of `fresh`, which this run has
+// made there, and nobody holds its lock. A temporary that another run has just made is not locked yet: that run sees
+// that its file was locked or removed, and takes another name.
+void remove_remains(int parent, const std::string& prefix, int home, int fresh) {
+  sys::FileInfo own;
+  if (!sys::file_info(fresh, own)) return;
   for (const std::string& entry : names_in(parent)) {
-    if (!entry.starts_with(prefix) || entry.size() != prefix.size() + letters) continue;
+    if (!entry.starts_with(prefix) || entry.size() != prefix.size() + letters ||
+        entry.find_first_not_of(alphabet, prefix.size()) != entry.npos)
+      continue;
     Descriptor remains(sys::open_in(parent, entry, sys::OpenIn::read));
     sys::FileInfo info;
-    if (!remains || !sys::try_lock(remains.get()) || !sys::file_info(remains.get(), info)) continue;
+    if (!remains || !sys::file_info(remains.get(), info) || info.owner != own.owner ||
+        !sys::try_lock(remains.get()))
+      continue;
     if (info.kind == sys::FileInfo::Kind::folder)
       remove_folder(parent, entry, home, std::move(remains));
     else if (info.kind == sys::FileInfo::Kind::file)
@@ -113,39 +131,51 @@ unsigned mode_of_new_folder() {
   return 0777 & ~sys::user_mask();
 }
 
-FolderLock::FolderLock(int folder, std::chrono::milliseconds most) {
+bool rename_where_free(int from, const std::string& name, int to, const std::string& new_name) {
+  if (sys::rename_new_in(from, name, to, new_name)) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;
+  if (sys::FileInfo info; !sys::file_info_in(to, new_name.c_str(), info))
+    return sys::rename_in(from, name, to, new_name);
+  errno = EEXIST;
+  return false;
+}
+
+FolderLock::FolderLock(int folder, std::chrono::milliseconds most, std::string_view name)
+    : folder_(folder), name_(prefix_of(name) + "lock") {
   const auto end = std::chrono::steady_clock::now() + most;
   auto pause = 1ms;
-  while (!sys::try_lock(folder)) {
-    taken_ = errno == EWOULDBLOCK;
-    if ((!taken_ && errno != EINTR) || std::chrono::steady_clock::now() >= end) return;
+  for (;;) {
+    {
+      // So that at a signal the file is either remembered or not yet made.
+      const SignalsHeld held;
+      Descriptor file(sys::open_in(folder, name_, sys::OpenIn::lock, 0600));
+      if (!file) return;
+      if (sys::try_lock(file.get())) {
+        if (!stands_for(folder, name_.c_str(), file.get())) continue;  // its last holder has just removed it
+        file_ = std::move(file);
+        taken_ = false;
+        remembered_ = remember_temporary(folder, name_.c_str(), -1);
+        return;
+      }
+      taken_ = errno == EWOULDBLOCK;
+      if (!taken_) sys::remove_in(folder, name_.c_str());  // a file system without locks
+      if (!taken_ || std::chrono::steady_clock::now() >= end) return;
+    }
     std::this_thread::sleep_for(pause);
     pause = std::min(2 * pause, 20ms);
   }
-  folder_ = folder;
-  taken_ = false;
 }
 
-FolderLock::FolderLock(FolderLock&& other) noexcept
-    : folder_(std::exchange(other.folder_, -1)), taken_(other.taken_) {}
-
-FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
-  std::swap(folder_, other.folder_);
-  std::swap(taken_, other.taken_);
-  return *this;
-}
-
-void FolderLock::release() {
-  if (folder_ >= 0) sys::unlock(folder_);
-  folder_ = -1;
+FolderLock::~FolderLock() {
+  if (!file_) return;
+  const SignalsHeld held;
+  sys::remove_in(folder_, name_.c_str());
+  forget_temporary(remembered_);
+  (void)file_.close();
 }
 
 Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : folder_(folder), kind_(kind) {
   const std::string prefix = prefix_of(name);
-  // Before a new temporary is locked it looks like the remains of a kill: this lock keeps other runs from
-  // removing it. Where locks do not work nothing is removed.
-  const FolderLock lock(folder, most_wait_to_clean);
-  if (lock.held()) remove_remains(folder, prefix, home);
   constexpr int most_tries = 100;
   for (int i = 0; i < most_tries; ++i) {
     const std::string random = random_letters();
@@ -173,9 +203,12 @@ Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : f
     if (!stands_for(folder, candidate.c_str(), open_.get())) continue;
     name_ = candidate;
     remembered_ = remember_temporary(folder, candidate.c_str(), kind == Kind::folder ? open_.get() : -1);
-    return;
+    break;
   }
-  errno = EEXIST;
+  if (name_.empty())
+    errno = EEXIST;
+  else
+    remove_remains(folder, prefix, home, open_.get());
 }
 
 Temporary::Temporary(Temporary&& other) noexcept

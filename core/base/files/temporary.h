@@ -21,29 +21,38 @@ std::vector<std::string> names_in(int folder);
 unsigned mode_of_new_file();
 unsigned mode_of_new_folder();
 
-/// The lock of an open folder, which etak's runs hold for moments while they make and place files in
-/// it. Whoever may read a folder can hold its lock for ever, so nobody waits for it without a limit.
+/// Gives a file or folder another name where nothing has it, also where the system cannot look and rename in one step
+/// (old kernels, some network file systems). Fails with EEXIST where something has it.
+bool rename_where_free(int from, const std::string& name, int to, const std::string& new_name);
+
+/// The lock of a name in an open folder, which etak's runs hold for moments while they place files there. It is a
+/// file ".NAME.etak-lock" that only its user may open, because whoever may read a file or a folder can lock it for
+/// ever. The file is removed with the lock.
 class FolderLock {
  public:
-  FolderLock() = default;
-  FolderLock(int folder, std::chrono::milliseconds most);
-  ~FolderLock() { release(); }
-  FolderLock(FolderLock&& other) noexcept;
-  FolderLock& operator=(FolderLock&& other) noexcept;
-  bool held() const { return folder_ >= 0; }
-  /// Whether somebody else held the lock all the time; false too where the file system has no locks.
+  ///   folder   stays the caller's, open as long as this lives
+  ///   most     how long another run that holds the lock is waited for
+  FolderLock(int folder, std::chrono::milliseconds most, std::string_view name = "folder");
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  bool held() const { return static_cast<bool>(file_); }
+  /// Whether another run of this user held the lock all the time. Where neither this nor held() is true, there are no
+  /// locks: the file cannot be made, belongs to somebody else, or its file system has none.
   bool is_taken() const { return taken_; }
-  void release();
 
  private:
-  int folder_ = -1;
+  int folder_;
+  std::string name_;
+  Descriptor file_;
+  int remembered_ = -1;
   bool taken_ = false;
 };
 
 /// A new file or folder under a name of its own beside what it is to become: ".NAME.etak-XXXXXX", random and
 /// made exclusively. It is removed with the object, by a signal that ends the program (signals.h), or after a
-/// kill by the next temporary for the same NAME, which leaves those in use alone: they are locked. A
-/// NAME too long to be lengthened is replaced by its beginning and a hash of the whole.
+/// kill by the next temporary for the same NAME and of the same owner, which leaves those in use alone: they are
+/// locked. A NAME too long to be lengthened is replaced by its beginning and a hash of the whole.
 class Temporary {
  public:
   enum class Kind { file, folder };

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 #include "core/base/bytes/hex.h"
 #include "core/base/error.h"
@@ -69,12 +68,6 @@ void sha256_blocks_plain(std::array<std::uint32_t, 8>& state, const std::uint8_t
 void sha256_blocks_x86(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes, std::size_t blocks) {
   sha256_blocks_plain(state, bytes, blocks);
 }
-void sha256_two_x86(std::array<std::uint32_t, 8>& first, const std::uint8_t* first_bytes,
-                    std::array<std::uint32_t, 8>& second, const std::uint8_t* second_bytes,
-                    std::size_t blocks) {
-  sha256_blocks_plain(first, first_bytes, blocks);
-  sha256_blocks_plain(second, second_bytes, blocks);
-}
 #endif
 
 bool has_sha256_x86() {
@@ -89,13 +82,9 @@ bool has_sha256_x86() {
 
 namespace {
 
-bool is_fast() {
-  static const bool fast = has_sha256_x86();
-  return fast;
-}
-
 void add_blocks(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes, std::size_t blocks) {
-  (is_fast() ? sha256_blocks_x86 : sha256_blocks_plain)(state, bytes, blocks);
+  static const bool fast = has_sha256_x86();
+  (fast ? sha256_blocks_x86 : sha256_blocks_plain)(state, bytes, blocks);
 }
 
 }  // namespace
@@ -119,23 +108,6 @@ void Sha256::add(std::string_view bytes) {
   count %= rest_.size();
   std::copy_n(from, count, rest_.begin());
   rest_size_ = count;
-}
-
-void Sha256::add_to_both(Sha256& a, std::string_view a_bytes, Sha256& b, std::string_view b_bytes) {
-  if (is_fast() && a.rest_size_ == 0 && b.rest_size_ == 0) {
-    const std::size_t blocks = std::min(a_bytes.size(), b_bytes.size()) / a.rest_.size();
-    const std::size_t whole = blocks * a.rest_.size();
-    const auto start = [](std::string_view bytes) {
-      return reinterpret_cast<const std::uint8_t*>(bytes.data());  // NOLINT: bytes as numbers
-    };
-    sha256_two_x86(a.state_, start(a_bytes), b.state_, start(b_bytes), blocks);
-    a.length_ += whole;
-    b.length_ += whole;
-    a_bytes.remove_prefix(whole);
-    b_bytes.remove_prefix(whole);
-  }
-  a.add(a_bytes);
-  b.add(b_bytes);
 }
 
 std::string Sha256::finish_bytes() {
@@ -192,86 +164,27 @@ std::string sha256_of_file(const std::string& path) {
   return sha256_of_file(path, info);
 }
 
-namespace {
-
-constexpr std::size_t small_file = std::size_t{16} << 10;
-using SmallBytes = std::array<char, small_file + 1>;
-
-// A file and its first bytes: of a small one all.
-struct BegunFile {
-  OpenedInput input;
-  std::string_view bytes;
-  bool whole = false;
-};
-
-// None where the file cannot be read.
-std::optional<BegunFile> begin_file(const std::string& path, SeenAsFile seen, SmallBytes& buffer) {
-  try {
-    BegunFile out{open_input(path, SIZE_MAX, seen), {}, false};
-    // One byte more than there is, so that one call sees the end of a small file.
-    const std::size_t wanted = std::min(out.input.size + 1, buffer.size());
-    const std::ptrdiff_t got = sys::read(out.input.file.get(), buffer.data(), wanted);
-    if (got < 0) return std::nullopt;
-    out.bytes = {buffer.data(), static_cast<std::size_t>(got)};
-    out.whole = got == 0 || (out.bytes.size() < wanted && out.bytes.size() == out.input.size);
-    return out;
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-}
-
-// Adds what begin_file() has left; false where it cannot be read.
-bool add_rest(Sha256& hash, const BegunFile& file) {
-  if (file.whole) return true;
-  // Not filled with zeros, which would take longer than the reading of a small file.
-  constexpr std::size_t at_once = std::size_t{1} << 18;
-  const auto buffer = std::make_unique_for_overwrite<char[]>(at_once);
-  for (std::size_t all = file.bytes.size();;) {
-    const std::ptrdiff_t got = sys::read(file.input.file.get(), buffer.get(), at_once);
-    if (got < 0) return false;
-    const auto count = static_cast<std::size_t>(got);
-    hash.add({buffer.get(), count});
-    all += count;
-    if (count == 0 || (count < at_once && file.input.size > 0 && all >= file.input.size)) return true;
-  }
-}
-
-}  // namespace
-
 std::string sha256_of_file(const std::string& path, sys::FileInfo& info, SeenAsFile seen) {
-  std::vector<sys::FileInfo> infos;
-  std::string out = std::move(sha256_of_files({&path, 1}, infos, seen).front());
-  info = infos.front();
-  return out;
-}
-
-std::vector<std::string> sha256_of_files(std::span<const std::string> paths,
-                                         std::vector<sys::FileInfo>& infos, SeenAsFile seen) {
-  std::vector<std::string> out;
-  out.reserve(paths.size());
-  infos.resize(paths.size());
-  SmallBytes first_buffer, second_buffer;
-  for (std::size_t i = 0; i < paths.size(); i += 2) {
-    const auto first = begin_file(paths[i], seen, first_buffer);
-    if (!first) break;
-    infos[i] = first->input.info;
-    Sha256 first_hash, second_hash;
-    const bool alone = i + 1 == paths.size();
-    const auto second = alone ? std::nullopt : begin_file(paths[i + 1], seen, second_buffer);
-    if (second) {
-      infos[i + 1] = second->input.info;
-      Sha256::add_to_both(first_hash, first->bytes, second_hash, second->bytes);
-    } else {
-      first_hash.add(first->bytes);
+  try {
+    const OpenedInput input = open_input(path, SIZE_MAX, seen);
+    info = input.info;
+    Sha256 hash;
+    // Not filled with zeros, which would take longer than the reading of a small file. One byte more than there is, so
+    // that one call sees the end of a small file.
+    constexpr std::size_t at_once = std::size_t{1} << 18;
+    const std::size_t wanted = input.size > 0 && input.size < at_once ? input.size + 1 : at_once;
+    const auto buffer = std::make_unique_for_overwrite<char[]>(wanted);
+    for (std::size_t all = 0;;) {
+      const std::ptrdiff_t got = sys::read(input.file.get(), buffer.get(), wanted);
+      if (got < 0) return {};
+      const auto count = static_cast<std::size_t>(got);
+      hash.add({buffer.get(), count});
+      all += count;
+      if (count == 0 || (count < wanted && input.size > 0 && all >= input.size)) return hash.finish();
     }
-    if (!add_rest(first_hash, *first)) break;
-    out.push_back(first_hash.finish());
-    if (alone) return out;
-    if (!second || !add_rest(second_hash, *second)) break;
-    out.push_back(second_hash.finish());
+  } catch (const Error&) {
+    return {};
   }
-  if (out.size() < paths.size()) out.emplace_back();
-  return out;
 }
 
 }  // namespace etak

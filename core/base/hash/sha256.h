@@ -4,10 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/base/files/input.h"
 #include "core/base/system.h"
@@ -20,8 +18,6 @@ namespace etak {
 class Sha256 {
  public:
   void add(std::string_view bytes);
-  /// Adds to two of them, which takes less time than one after the other.
-  static void add_to_both(Sha256& a, std::string_view a_bytes, Sha256& b, std::string_view b_bytes);
 
   /// 64 hexadecimal digits of all that was added; this or finish_bytes() is the last call.
   std::string finish();
@@ -42,12 +38,6 @@ std::string sha256(std::string_view bytes);
 ///   info   what was known of the file before its bytes were read
 std::string sha256_of_file(const std::string& path);
 std::string sha256_of_file(const std::string& path, sys::FileInfo& info, SeenAsFile seen = SeenAsFile::no);
-
-/// Of many files, in their order: small ones two at once. Ends with the first that cannot be read, whose place is
-/// empty.
-///   infos   what was known of each file before its bytes were read
-std::vector<std::string> sha256_of_files(std::span<const std::string> paths,
-                                         std::vector<sys::FileInfo>& infos, SeenAsFile seen = SeenAsFile::no);
 
 /// HMAC-SHA-256 (RFC 2104) of `bytes`: 64 hexadecimal digits that nobody can make without the key.
 ///   key   of any length; 32 random bytes are enough

@@ -14,10 +14,6 @@ void sha256_blocks_plain(std::array<std::uint32_t, 8>& state, const std::uint8_t
 
 /// The same with the processor's own instructions; only where has_sha256_x86().
 void sha256_blocks_x86(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes, std::size_t blocks);
-/// Of two texts at once: a round waits for the one before, and those of another text fill the time.
-void sha256_two_x86(std::array<std::uint32_t, 8>& first, const std::uint8_t* first_bytes,
-                    std::array<std::uint32_t, 8>& second, const std::uint8_t* second_bytes,
-                    std::size_t blocks);
 bool has_sha256_x86();
 
 }  // namespace etak

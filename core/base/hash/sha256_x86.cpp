@@ -71,11 +71,6 @@ void all_steps(Lane& lane, std::index_sequence<i...>) {
   (lane.step(i), ...);
 }
 
-template <std::size_t... i>
-void all_steps_of_two(Lane& a, Lane& b, std::index_sequence<i...>) {
-  ((a.step(i), b.step(i)), ...);
-}
-
 }  // namespace
 
 void sha256_blocks_x86(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes, std::size_t blocks) {
@@ -87,23 +82,6 @@ void sha256_blocks_x86(std::array<std::uint32_t, 8>& state, const std::uint8_t* 
     lane.end_block();
   }
   lane.end(state);
-}
-
-void sha256_two_x86(std::array<std::uint32_t, 8>& first, const std::uint8_t* first_bytes,
-                    std::array<std::uint32_t, 8>& second, const std::uint8_t* second_bytes,
-                    std::size_t blocks) {
-  Lane a, b;
-  a.begin(first, first_bytes);
-  b.begin(second, second_bytes);
-  for (; blocks > 0; --blocks) {
-    a.begin_block();
-    b.begin_block();
-    all_steps_of_two(a, b, Steps());
-    a.end_block();
-    b.end_block();
-  }
-  a.end(first);
-  b.end(second);
 }
 
 }  // namespace etak

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
 #include "core/base/number.h"
 
 namespace etak {
@@ -12,26 +11,26 @@ namespace {
 // To open and close an item takes about the time of reading so many bytes.
 constexpr std::uint64_t bytes_of_opening = 16384;
 
+// The numbers of "2/4" or "25-50"; nullopt for any other text.
+std::optional<std::pair<std::size_t, std::size_t>> two_numbers(std::string_view text, char between) {
+  const std::size_t at = text.find(between);
+  if (at == text.npos) return std::nullopt;
+  const auto first = whole_number<std::size_t>(text.substr(0, at)),
+             second = whole_number<std::size_t>(text.substr(at + 1));
+  return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Shard> shard_named(std::string_view text) {
-  std::optional<std::pair<std::size_t, std::size_t>> items;
-  if (const std::size_t colon = text.find(':'); colon != text.npos) {
-    const std::string_view range = text.substr(colon + 1);
-    const std::size_t dash = range.find('-');
-    if (dash == range.npos) return std::nullopt;
-    const auto first = whole_number<std::size_t>(range.substr(0, dash)),
-               last = whole_number<std::size_t>(range.substr(dash + 1));
-    if (!first || !last || *first > *last) return std::nullopt;
-    items.emplace(*first, *last);
-    text = text.substr(0, colon);
-  }
-  const std::size_t slash = text.find('/');
-  if (slash == std::string_view::npos) return std::nullopt;
-  const auto index = whole_number<std::size_t>(text.substr(0, slash)),
-             count = whole_number<std::size_t>(text.substr(slash + 1));
-  if (!index || !count || *index < 1 || *index > *count || *count > most_shards) return std::nullopt;
-  return Shard{*index, *count, items};
+  const std::size_t colon = text.find(':');
+  const auto part = two_numbers(text.substr(0, colon), '/');
+  if (!part || part->first < 1 || part->first > part->second || part->second > most_shards)
+    return std::nullopt;
+  Shard out{part->first, part->second, {}};
+  if (colon == text.npos) return out;
+  out.items = two_numbers(text.substr(colon + 1), '-');
+  return out.items && out.items->first <= out.items->second ? std::optional(out) : std::nullopt;
 }
 
 std::pair<std::size_t, std::size_t> items_of(const Shard& shard, std::span<const std::uint64_t> bytes) {
@@ -58,58 +57,6 @@ std::pair<std::size_t, std::size_t> items_of(const Shard& shard, std::span<const
     before += size;
   }
   return {first, last};
-}
-
-std::vector<std::size_t> complete_shards(std::span<const ShardOutput> outputs, std::string_view version) {
-  const ShardOutput& first = outputs.front();
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> out(first.shard.count, none);
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const ShardOutput& each = outputs[i];
-    const auto fail = [&](const std::string& found, const std::string& expected) {
-      throw Error::at(each.file, found, expected);
-    };
-    if (each.version != version)
-      fail("was written by etak " + printable(each.version), "all shards of etak " + std::string(version));
-    if (each.shard.count != first.shard.count)
-      fail("is shard " + each.shard.text(),
-           "one of " + std::to_string(first.shard.count) + ", as " + printable(first.file, 200) + " is");
-    if (each.options != first.options)
-      fail("was run with other options than " + printable(first.file, 200),
-           "the same options, configuration, baseline and library for every shard");
-    if (each.list != first.list)
-      fail("was cut from another list of inputs than " + printable(first.file, 200),
-           "inputs that stay the same while the shards run; run all shards again");
-    std::size_t& place = out[each.shard.index - 1];
-    if (place == none)
-      place = i;
-    else if (outputs[place].content != each.content)
-      fail("is shard " + each.shard.text() + " like " + printable(outputs[place].file, 200) +
-               ", and their bytes differ",
-           "each shard once, or twice the same");
-  }
-  constexpr std::size_t most_named = 20;
-  std::string missing;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < out.size(); ++i)
-    if (out[i] == none && ++count <= most_named)
-      missing += (missing.empty() ? "" : ", ") + Shard{i + 1, out.size()}.text();
-  if (count > most_named) missing += " and " + std::to_string(count - most_named) + " more";
-  if (count > 0)
-    throw Error::at(
-        "etak merge", (count == 1 ? "missing: shard " : "missing: shards ") + missing,
-        "every shard from 1/" + std::to_string(out.size()) + " on; run what is missing and merge again");
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const ShardOutput& each = outputs[out[i]];
-    const auto [from, to] = each.shard.items.value_or(std::pair(next, next));
-    const bool fits = from == next && (i + 1 < out.size() || to == each.items);
-    if (!fits)
-      throw Error::at(each.file, "holds other items than follow those of the shards before it",
-                      "files whose sizes stay the same while the shards run; run all shards again");
-    next = to;
-  }
-  return out;
 }
 
 }  // namespace etak

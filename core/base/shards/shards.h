@@ -38,35 +38,12 @@ std::optional<Shard> shard_named(std::string_view text);
 ///   bytes   what has to be read for each item; opening it counts as some kilobytes more
 std::pair<std::size_t, std::size_t> items_of(const Shard& shard, std::span<const std::uint64_t> bytes);
 
-/// What the output of a shard says of itself.
-///   file      that holds it, for messages
-///   version   of the program that wrote it
-///   options   digest of what decides the result besides the inputs
-///   list      digest of the inputs of the whole run by their names
-///   content   digest of all bytes of the output
-///   items     of the whole run; shard.items are those of the shard
-struct ShardOutput {
-  std::string file;
-  Shard shard;
-  std::string version, options, list, content;
-  std::size_t items = 0;
-};
-
 /// What a shard of a planned run reads.
-///   list   as the shard's output will have it
+///   list   as the shard's output will have it; empty where nothing is joined
 struct ShardPlan {
   Shard shard;
   std::string list;
-  std::uint64_t bytes = 0;
   std::vector<std::string> files;  // sorted, each once
 };
-
-/// The outputs that make up the whole run, in the order of the shards, as indices. A shard that is there
-/// twice with equal bytes is taken once: a task that a queue has started again.
-///   version   that wrote them all
-/// Throws Error that names the files: of another version, number of shards, options or list of inputs than the
-/// first, two of one shard that differ, the shards that are missing, and those whose items do not follow each
-/// other, because the sizes of files have changed in between.
-std::vector<std::size_t> complete_shards(std::span<const ShardOutput> outputs, std::string_view version);
 
 }  // namespace etak

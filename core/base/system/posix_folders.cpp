@@ -50,6 +50,9 @@ int open_in(int folder, const std::string& name, OpenIn how, unsigned mode) {
     case OpenIn::create_temporary:
       flags |= O_RDWR | O_CREAT | O_EXCL;
       break;
+    case OpenIn::lock:
+      flags |= O_RDWR | O_CREAT | O_NONBLOCK;
+      break;
   }
   return ::openat(folder, name.c_str(), flags, static_cast<mode_t>(mode));
 }
@@ -135,11 +138,11 @@ bool can_exchange() {
 #endif
 }
 
-bool exchange_in(int folder, const std::string& a, const std::string& b) {
+bool exchange_in(int from, const std::string& name, int to, const std::string& other) {
 #if defined(__linux__)
-  return rename_with(RENAME_EXCHANGE, folder, a, folder, b);
+  return rename_with(RENAME_EXCHANGE, from, name, to, other);
 #elif defined(__APPLE__)
-  return ::renameatx_np(folder, a.c_str(), folder, b.c_str(), RENAME_SWAP) == 0;
+  return ::renameatx_np(from, name.c_str(), to, other.c_str(), RENAME_SWAP) == 0;
 #else
   errno = ENOSYS;
   return false;
@@ -148,6 +151,10 @@ bool exchange_in(int folder, const std::string& a, const std::string& b) {
 
 bool link_in(int from, const std::string& name, int to, const std::string& new_name) {
   return ::linkat(from, name.c_str(), to, new_name.c_str(), 0) == 0;
+}
+
+bool make_link_in(int folder, const std::string& target, const std::string& name) {
+  return ::symlinkat(target.c_str(), folder, name.c_str()) == 0;
 }
 
 bool takes_file_name(std::string_view) {
@@ -166,6 +173,7 @@ FolderReader::~FolderReader() {
 
 bool FolderReader::next(Entry& out) {
   const dirent* entry = nullptr;
+  errno = 0;  // which tells the end from a failure
   do entry = ::readdir(static_cast<DIR*>(list_));
   while (entry != nullptr && is_dots(static_cast<const char*>(entry->d_name)));
   if (entry == nullptr) return false;

@@ -163,11 +163,22 @@ bool has_room(std::size_t threads, std::size_t bytes) {
   return may_start_threads(threads) && has_addresses(bytes);
 }
 
-bool run_program(const std::vector<std::string>& words, std::string& out, int& status) {
-  std::vector<std::string> copies = words;  // posix_spawn takes arguments that may be changed
-  std::vector<char*> arguments;
-  for (std::string& word : copies) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+std::vector<std::string> environment() {
+  std::vector<std::string> out;
+  for (char** each = environ; *each != nullptr; ++each) out.emplace_back(*each);
+  return out;
+}
+
+bool run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+                 std::string& out, int& status) {
+  std::vector<std::string> word_copies = words, variable_copies = environment;  // posix_spawn may change them
+  const auto pointers = [](std::vector<std::string>& texts) {
+    std::vector<char*> list;
+    for (std::string& text : texts) list.push_back(text.data());
+    list.push_back(nullptr);
+    return list;
+  };
+  const std::vector<char*> arguments = pointers(word_copies), variables = pointers(variable_copies);
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) return false;
   for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
@@ -176,7 +187,7 @@ bool run_program(const std::vector<std::string>& words, std::string& out, int& s
   ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   pid_t process = 0;
   const int failure =
-      ::posix_spawnp(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
+      ::posix_spawnp(&process, arguments.front(), &actions, nullptr, arguments.data(), variables.data());
   ::posix_spawn_file_actions_destroy(&actions);
   ::close(ends[1]);
   out.clear();

@@ -107,6 +107,10 @@ int open_in(int folder, const std::string& name, OpenIn how, unsigned) {
       opened = open_name(folder, name, FILE_GENERIC_READ | FILE_GENERIC_WRITE, FILE_CREATE,
                          FILE_NON_DIRECTORY_FILE);
       break;
+    case OpenIn::lock:
+      opened = open_name(folder, name, FILE_GENERIC_READ | FILE_GENERIC_WRITE, FILE_OPEN_IF,
+                         FILE_NON_DIRECTORY_FILE);
+      break;
   }
   Handle file(opened);
   if (file && is_link(file.get())) {
@@ -178,7 +182,12 @@ bool can_exchange() {
   return false;
 }
 
-bool exchange_in(int, const std::string&, const std::string&) {
+bool exchange_in(int, const std::string&, int, const std::string&) {
+  errno = ENOSYS;
+  return false;
+}
+
+bool make_link_in(int, const std::string&, const std::string&) {
   errno = ENOSYS;
   return false;
 }
@@ -220,8 +229,11 @@ bool FolderReader::next(Entry& out) {
     if (!list.filled) {
       const auto kind = list.begun ? FileIdBothDirectoryInfo : FileIdBothDirectoryRestartInfo;
       if (::GetFileInformationByHandleEx(handle_of(folder_), kind, list.records.data(),
-                                         static_cast<DWORD>(list.records.size())) == 0)
+                                         static_cast<DWORD>(list.records.size())) == 0) {
+        if (::GetLastError() != ERROR_NO_MORE_FILES) return failed();
+        errno = 0;
         return false;
+      }
       list.begun = list.filled = true;
       list.at = 0;
     }

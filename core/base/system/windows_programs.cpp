@@ -109,7 +109,11 @@ bool has_room(std::size_t, std::size_t) {
   return true;
 }
 
-bool run_program(const std::vector<std::string>&, std::string&, int&) {
+std::vector<std::string> environment() {
+  return {};
+}
+
+bool run_program(const std::vector<std::string>&, const std::vector<std::string>&, std::string&, int&) {
   errno = ENOSYS;
   return false;
 }

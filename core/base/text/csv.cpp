@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/text/csv.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
@@ -21,14 +22,25 @@ void append_row(std::string& out, const Fields& fields) {
   out += '\n';
 }
 
+// Whether a spreadsheet may compute a cell of this text: = + - @ and their full-width forms begin a formula, and
+// | a call of another program. A sign alone is none: "-" stands for standard input.
+bool is_formula(std::string_view text) {
+  double value = 0;
+  const bool begins = text.find_first_of("=+-@|") == 0 || text.starts_with("\uFF1D") ||
+                      text.starts_with("\uFF0B") || text.starts_with("\uFF0D") || text.starts_with("\uFF20");
+  return text.size() > 1 && begins && !parse_number(text, value);
+}
+
 }  // namespace
 
 void append_csv_field(std::string& out, std::string_view text) {
   std::string field = line_text(text);
-  double value = 0;
-  // A sign alone is no formula: "-" stands for standard input.
-  if (field.size() > 1 && field.find_first_of("=+-@") == 0 && !parse_number(field, value))
-    field.insert(0, 1, '\'');
+  // Where a comma separates decimals, a spreadsheet begins a cell behind each semicolon, and takes quotes away.
+  for (std::size_t begin = 0; (begin = field.find_first_not_of("; \"", begin)) != field.npos;) {
+    if (is_formula(std::string_view(field).substr(begin, field.find(';', begin) - begin)))
+      field.insert(begin, 1, '\'');
+    begin = std::min(field.find(';', begin), field.size());
+  }
   if (field.find_first_of(",\"") == field.npos) {
     out += field;
     return;

@@ -10,6 +10,7 @@
 namespace etak {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
+  if (std::max(a.size(), b.size()) > longest_suggested) return std::max(a.size(), b.size());
   const auto same = [&](std::size_t i, std::size_t j) { return lower_case(a[i]) == lower_case(b[j]); };
   // Row i holds the distances from the first i letters of `a`; an exchange looks two rows back.
   std::array<std::vector<std::size_t>, 3> rows;

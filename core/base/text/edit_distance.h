@@ -8,8 +8,13 @@
 
 namespace etak {
 
+/// A name of more bytes is misspelt from no other one, and gets no suggestion: to compare two names takes time in
+/// proportion to the product of their lengths.
+inline constexpr std::size_t longest_suggested = 100;
+
 /// Edits from one name to the other: a letter put in, left out or replaced, or two neighbours exchanged, each
-/// counted once (optimal string alignment). Upper and lower case of ASCII letters are alike. For "did you
+/// counted once (optimal string alignment). Upper and lower case of ASCII letters are alike. Where a name has
+/// more than longest_suggested bytes, the length of the longer one, as if no letter were the same. For "did you
 /// mean".
 std::size_t edit_distance(std::string_view a, std::string_view b);
 

@@ -57,10 +57,10 @@ void append_u(std::string& out, std::uint32_t c) {
   for (int shift = 12; shift >= 0; shift -= 4) out += hex_lower[c >> shift & 15];
 }
 
-// Whether a command of a build service begins at text[i].
-bool begins_command(std::string_view text, std::size_t i) {
-  const std::string_view two = text.substr(i, 2);
-  return two == "##" || (two == "::" && (i == 0 || text[i - 1] == ' '));
+// Unicode's blanks (category Zs), which build services take away before they look for a command.
+bool is_blank(std::uint32_t c) {
+  return c == ' ' || c == 0xA0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200A) || c == 0x202F || c == 0x205F ||
+         c == 0x3000;
 }
 
 std::size_t columns_of(std::uint32_t character) {
@@ -98,9 +98,13 @@ std::string valid_utf8(std::string_view text) {
 std::string line_text(std::string_view text) {
   std::string out;
   out.reserve(text.size());
+  bool behind_blank = true;  // as at the beginning
   for (std::size_t i = 0; i < text.size();) {
     const CodePoint point = decode(text.substr(i));
-    if (point.length <= 1 && (point.length == 0 || is_active(point.value) || begins_command(text, i)))
+    const std::string_view two = text.substr(i, 2);
+    const bool command = two == "##" || (two == "::" && behind_blank);
+    behind_blank = is_blank(point.value);
+    if (point.length <= 1 && (point.length == 0 || is_active(point.value) || command))
       append_x(out, text[i]);
     else if (is_active(point.value))
       append_u(out, point.value);

@@ -42,8 +42,8 @@ std::string valid_utf8(std::string_view text);
 /// Characters that would act there instead of being read are shown by their number: bytes that are
 /// control characters or no UTF-8 as `\x1b`, control characters above 127, marks that turn the direction of
 /// writing and separators of lines as `\u202e`. Build services take a line that begins with `::` and a `##`
-/// anywhere for a command, so the first character of a `::` that begins a word, and of every `##`, is shown
-/// as `\x3a`, `\x23`. All other text stays as it is; the function leaves its own output unchanged.
+/// anywhere for a command, so the first character of a `::` at the beginning or behind a blank of Unicode, and
+/// of every `##`, is shown as `\x3a`, `\x23`. All other text stays as it is; the function leaves its own output unchanged.
 std::string line_text(std::string_view text);
 
 /// `text`, a JSON document or value, with the characters that line_text() would show by their number written

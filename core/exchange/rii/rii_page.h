@@ -35,7 +35,7 @@ struct RiiPage {
 void parse_rii_page(std::string_view text, std::string_view file, RiiPage& page);
 
 /// A page as a material with one dataset: citation, sample and axis taken from text and path as far as they
-/// can be. The class is that of class_of_page(); a conductor
+/// can be. The class is that of decide_class() (core/material/optics_class.h); a conductor
 /// is named as sample_name() does.
 ///   id      material id; empty: made from the path's book folder
 Material material_from_rii_page(std::string_view text, std::string_view path, std::string_view id);

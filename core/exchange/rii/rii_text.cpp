@@ -13,11 +13,12 @@
 #include "core/base/number.h"
 #include "core/base/text/ascii.h"
 #include "core/exchange/rii/axis_pages.h"
-#include "core/exchange/rii/page_class.h"
 #include "core/exchange/rii/rii_page.h"
+#include "core/exchange/rii/sample_name.h"
 #include "core/exchange/rii/yaml_lines.h"
 #include "core/material/medium.h"
 #include "core/material/names.h"
+#include "core/material/optics_class.h"
 
 namespace etak {
 namespace {
@@ -314,6 +315,14 @@ std::string find_axis(std::string_view page, const PageText& text) {
   return {};
 }
 
+// Whether the comments say that the numbers were measured, by a word or by a method.
+bool tells_of_measurement(std::string_view comments) {
+  for (const std::string_view words :
+       {"easure", "xperiment", "llipsomet", "pectrophotomet", "eflectomet", "efractomet", "nterferomet"})
+    if (comments.find(words) != comments.npos) return true;
+  return false;
+}
+
 // Removes rows of no medium (n below 0, or n = k = 0), which no material may hold. parse_rii_page() accepts
 // them because they are not used in 360..830 nm.
 void drop_no_medium(OpticalConstants& optics) {
@@ -341,7 +350,8 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   Dataset dataset;
   dataset.origin = page.flags.has(Flag::computed)                             ? Origin::computed
                    : std::holds_alternative<DispersionFormula>(page.optics.n) ? Origin::fit
-                                                                              : Origin::measured;
+                   : tells_of_measurement(words.comments)                     ? Origin::measured
+                                                                              : Origin::unknown;
   if (std::holds_alternative<Spectrum>(page.optics.n)) {
     drop_no_medium(page.optics);
     if (std::get<Spectrum>(page.optics.n).empty())
@@ -365,14 +375,14 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   std::string_view name = book(place);
   material.id = id.empty() ? identifier(name, '_', "material") : std::string(id);
   if (const std::size_t dash = name.find(" - "); dash != name.npos) name.remove_prefix(dash + 3);
-  material.material_class = class_of_page(std::get<OpticalConstants>(dataset.optics), name);
+  material.preferred_reason = "the only dataset";
+  const int year_of_data = dataset.citation.year;
+  material.datasets.push_back(std::move(dataset));
+  decide_class(material, name);
   // Samples of one metal differ: in a project each has a name of its own.
   const bool differs =
       optical_kind(material.material_class) == "conductor" && place.find("/nk/") != place.npos;
-  material.name =
-      readable(differs ? sample_name(name, file_stem(place), dataset.citation.year) : std::string(name));
-  material.preferred_reason = "the only dataset";
-  material.datasets.push_back(std::move(dataset));
+  material.name = readable(differs ? sample_name(name, file_stem(place), year_of_data) : std::string(name));
   return material;
 }
 

@@ -11,8 +11,8 @@
 
 namespace etak {
 
-/// The library as bytes: what etak_embed writes at build time and MaterialLibrary::builtin() reads. Native
-/// byte order; only ever read by the program it is linked into, so it is trusted and carries no version.
+/// The library as bytes: what etak_embed writes at build time and MaterialLibrary::builtin() reads. Only ever
+/// read by the program it is linked into, so it is trusted and carries no version.
 ///   materials    sorted by id
 ///   unmeasured   the words that no material answers
 std::string encode_library(const std::vector<Material>& materials, const std::vector<Unmeasured>& unmeasured);

@@ -17,11 +17,22 @@
 namespace etak {
 namespace {
 
+std::string kind_of(Origin origin) {
+  return std::string(origin == Origin::unknown ? std::string_view() : name(origin));
+}
+
 F0Result refused(std::string reason, Flags flags = {}) {
   F0Result out;
   out.refusal = std::move(reason);
   out.flags = flags;
   return out;
+}
+
+// What the user says of a bare table or page.
+void state_row(const F0Job& job, F0Row& row) {
+  row.material_class = job.tables.material_class;
+  if (job.tables.origin) row.kind = kind_of(*job.tables.origin);
+  if (!gives_f0(row.material_class)) drop_zone(row.result);
 }
 
 std::string page_source(std::string_view text, const std::string& path) {
@@ -68,7 +79,8 @@ F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& jo
   F0Outcome out;
   out.row.path = input.label();
   if (input.kind == MaterialInput::Kind::material) {
-    answer_dataset(*input.material, input, job, out.row);
+    answer_dataset(job.tables.states() ? read_material(input, job.tables) : *input.material, input, job,
+                   out.row);
     return out;
   }
   start_lap(job);
@@ -83,8 +95,10 @@ F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& jo
     const Table table = parse_table(text_, input.path, job.tables);
     lap(times.parse, job);
     out.row.result = job.solver.solve(table.optics, table.flags, job.timed ? &times.f0 : nullptr);
+    state_row(job, out.row);
   } else {
-    const Material material = parse_material(text_, input.path);
+    Material material = parse_material(text_, input.path);
+    state(material, job.tables);
     lap(times.parse, job);
     answer_dataset(material, input, job, out.row);
   }
@@ -118,6 +132,7 @@ F0Outcome F0Worker::answer_page(const MaterialInput& input, const F0Job& job) {
     out.row.result = average_pages(input, job, out.row);
   else
     out.row.result = solve(page_.optics, page_.flags, job);
+  state_row(job, out.row);
   return out;
 }
 
@@ -162,31 +177,17 @@ void F0Worker::answer_dataset(const Material& material, const MaterialInput& inp
   row.material_class = material.material_class;
   row.dataset = dataset.id;
   row.source = one_line(dataset.citation);
-  row.kind = name(dataset.origin);
+  row.kind = kind_of(dataset.origin);
   row.doubt = doubt(material, dataset);
-  const std::vector<AxisDataset> axes =
-      job.axis_average ? axis_datasets(material, dataset) : std::vector<AxisDataset>{};
-  if (axes.empty()) {
+  const auto average =
+      job.axis_average ? average_over_axes(job.solver, material, dataset) : std::optional<AxisAverage>();
+  if (!average) {
     row.result = etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr);
     return;
   }
-  std::vector<F0Solver::Part> parts;
-  Flags flags;
-  std::string members;
-  for (const AxisDataset& axis : axes) {
-    if (axis.dataset == nullptr) {
-      row.result = refused("no average over axes: " + material.id + " lacks another axis of " + dataset.id,
-                           dataset.flags);
-      return;
-    }
-    parts.push_back({&axis.dataset->optics, axis.weight});
-    flags |= axis.dataset->flags;
-    flags |= quality_flags(material, *axis.dataset);
-    if (row.doubt.empty()) row.doubt = doubt(material, *axis.dataset);
-    members += (members.empty() ? "" : " + ") + axis.dataset->id;
-  }
-  row.dataset = members;
-  row.result = job.solver.solve(parts, flags);
+  if (!average->datasets.empty() && !average->result.refused()) row.dataset = average->datasets;
+  if (row.doubt.empty()) row.doubt = average->doubt;
+  row.result = average->result;
 }
 
 }  // namespace etak

@@ -11,6 +11,7 @@ namespace etak {
 
 struct GlslText;
 enum class GlslVersion;
+enum class ShaderLanguage;
 
 // Lists of the materials of the library and of the models and functions of etak: tables of fixed width for
 // people, CSV and JSON for programs. Each CSV begins with the names of its columns; each JSON document names
@@ -53,6 +54,10 @@ std::string annotated_fragment(const GlslText& text);
 
 /// Both shaders, the features in and left out, and the uniforms, as resources/schema/shader.schema.json
 /// describes them.
-std::string shader_json(const GlslText& text, GlslVersion version);
+std::string shader_json(const GlslText& text, GlslVersion version, const std::vector<std::string>& remarks);
+
+/// The text of shader_function() in the same schema.
+std::string shader_function_json(const std::string& text, ShaderLanguage language,
+                                 const std::vector<std::string>& remarks);
 
 }  // namespace etak

@@ -3,6 +3,7 @@
 #include "core/base/number.h"
 #include "core/pages/lists/lists.h"
 #include "core/render/glsl/glsl_text.h"
+#include "core/render/glsl/shader_function.h"
 
 namespace etak {
 namespace {
@@ -38,13 +39,21 @@ std::string annotated_fragment(const GlslText& text) {
   return out + text.fragment.substr(first_line);
 }
 
-std::string shader_json(const GlslText& text, GlslVersion version) {
+std::string shader_json(const GlslText& text, GlslVersion version, const std::vector<std::string>& remarks) {
   return json_document("etak-shader/1", {{"version", json(name(version))},
                                          {"in", feature_lines(text, true)},
                                          {"left_out", feature_lines(text, false)},
+                                         {"remarks", json_array_of(remarks)},
                                          {"uniforms", json_lines_of(text.uniforms, 2, uniform_object)},
                                          {"vertex", json(text.vertex)},
                                          {"fragment", json(text.fragment)}});
+}
+
+std::string shader_function_json(const std::string& text, ShaderLanguage language,
+                                 const std::vector<std::string>& remarks) {
+  return json_document(
+      "etak-shader/1",
+      {{"version", json(name(language))}, {"remarks", json_array_of(remarks)}, {"function", json(text)}});
 }
 
 }  // namespace etak

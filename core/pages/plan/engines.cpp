@@ -20,6 +20,13 @@ std::string shell_line(const std::vector<std::string>& words) {
 constexpr std::string_view new_name = "new=$part.$(hostname).$$";
 constexpr std::string_view put_in_place = "test -e \"$new\" && mv -f \"$new\" \"$part\"";
 
+// Where no merge follows that tells the status of the run, a task that has failed is one for its engine too.
+std::string_view end_of_task(const RunPlan& plan) {
+  return plan.merge.words.empty()
+             ? "if [ $? -le 1 ]; then mv -f \"$new\" \"$part\"; else rm -f \"$new\"; false; fi"
+             : put_in_place;
+}
+
 // The words of a task that writes to $new.
 std::string task_words(const PlanTask& task) {
   return joined(task.words, " ", [&](const std::string& word) {
@@ -30,17 +37,19 @@ std::string task_words(const PlanTask& task) {
 // A task in one line.
 std::string task_line(const RunPlan& plan, const PlanTask& task) {
   std::string out = "cd " + shell_word(plan.folder) + " && part=" + shell_word(task.writes) + " && ";
-  append(out, new_name, " && { ", task_words(task), "; ", put_in_place, "; }");
+  append(out, new_name, " && { ", task_words(task), "; ", end_of_task(plan), "; }");
   return out;
 }
 
-void refuse_line_ends(const std::vector<std::string>& words, const char* engine) {
+void refuse_in(const std::vector<std::string>& words, std::string_view characters, const std::string& found) {
   for (const std::string& word : words)
-    if (word.find('\n') != word.npos || word.find('\r') != word.npos)
-      throw Error::at(
-          printable(word, 200),
-          std::string("a line end in a name, which ") + engine + " takes for the end of a command",
-          "another name, or " + setting("format") + " slurm");
+    if (word.find_first_of(characters) != word.npos)
+      throw Error::at(printable(word, 200), found, "another name, or " + setting("format") + " slurm");
+}
+
+void refuse_line_ends(const std::vector<std::string>& words, const char* engine) {
+  refuse_in(words, "\r\n",
+            std::string("a line end in a name, which ") + engine + " takes for the end of a command");
 }
 
 void refuse_line_ends(const RunPlan& plan, const char* engine) {
@@ -66,9 +75,13 @@ void refuse_other_text(const RunPlan& plan, const char* engine) {
   check(plan.merge.words);
 }
 
-std::string merge_script(const RunPlan& plan) {
-  return "#!/bin/sh\n# Joins what the tasks wrote. Its status is that of the whole run.\ncd " +
-         shell_word(plan.folder) + " || exit 2\nexec " + shell_line(plan.merge.words) + '\n';
+// The files of a plan with the script of its merge, where it has one.
+PlanFiles with_merge(const RunPlan& plan, PlanFiles files) {
+  if (!plan.merge.words.empty())
+    files.emplace_back(
+        "merge.sh", "#!/bin/sh\n# Joins what the tasks wrote. Its status is that of the whole run.\ncd " +
+                        shell_word(plan.folder) + " || exit 2\nexec " + shell_line(plan.merge.words) + '\n');
+  return files;
 }
 
 std::string task_lines(const RunPlan& plan) {
@@ -105,38 +118,42 @@ PlanFiles slurm_plan(const RunPlan& plan) {
   if (!plan.threads)
     tasks += "if [ -n \"${SLURM_CPUS_PER_TASK:-}\" ]; then set -- \"$@\" -j \"$SLURM_CPUS_PER_TASK\"; fi\n";
   append(tasks,
-         "# Success is told by the output, because the status of a run with findings is that of a failure.\n"
-         "\"$@\"\nstatus=$?\n",
-         put_in_place, " && exit 0\n[ \"$status\" -gt 1 ] || status=2\nexit \"$status\"\n");
+         "# The status of a run with findings is that of a failure for Slurm.\n"
+         "\"$@\"\nstatus=$?\n(exit $status)\n",
+         end_of_task(plan), " && exit 0\n[ \"$status\" -gt 1 ] || status=2\nexit \"$status\"\n");
   // Slurm replaces what follows a '%' in the names of logs.
   std::string logs = plan.out + '/';
   for (std::size_t at = 0; (at = logs.find('%', at)) != logs.npos; at += 2) logs.insert(at, 1, '%');
   const std::string folder = shell_word(plan.out + '/');
   std::string submit =
       "#!/bin/sh\n# submit.sh [OPTIONS OF SBATCH...]: starts the array, and the merge behind it. Prints the "
-      "number of the merge.\nset -eu\narray=$(sbatch --parsable --job-name=etak --requeue --array=1-" +
+      "number of the last job.\nset -eu\narray=$(sbatch --parsable --job-name=etak --requeue --array=1-" +
       std::to_string(count) + " --output=" + shell_word(logs + "task-%a.log") + " \"$@\" " + folder +
-      "task.sh)\nsbatch --parsable --job-name=etak-merge --requeue --dependency=afterok:\"${array%%;*}\" "
-      "--kill-on-invalid-dep=yes --output=" +
-      shell_word(logs + "merge.log") + " \"$@\" " + folder + "merge.sh\n";
-  return {{"task.sh", tasks}, {"merge.sh", merge_script(plan)}, {"submit.sh", submit}};
+      "task.sh)\n";
+  submit += plan.merge.words.empty()
+                ? "echo \"$array\"\n"
+                : "sbatch --parsable --job-name=etak-merge --requeue --dependency=afterok:\"${array%%;*}\" "
+                  "--kill-on-invalid-dep=yes --output=" +
+                      shell_word(logs + "merge.log") + " \"$@\" " + folder + "merge.sh\n";
+  return with_merge(plan, {{"task.sh", tasks}, {"submit.sh", submit}});
 }
 
 PlanFiles cuecmd_plan(const RunPlan& plan) {
   refuse_line_ends(plan, "cuecmd");
   refuse_other_text(plan, "cuecmd");
-  return {{"tasks.cmds", task_lines(plan)}, {"merge.sh", merge_script(plan)}};
+  return with_merge(plan, {{"tasks.cmds", task_lines(plan)}});
 }
 
 PlanFiles parallel_plan(const RunPlan& plan) {
   refuse_line_ends(plan, "GNU parallel");
   const std::string folder = shell_word(plan.out + '/');
-  return {{"tasks.txt", task_lines(plan)},
-          {"merge.sh", merge_script(plan)},
-          {"run.sh",
-           "#!/bin/sh\n# run.sh [OPTIONS OF PARALLEL...]: runs all tasks, and then the merge.\nset -eu\n"
-           "parallel --will-cite --halt soon,fail=1 \"$@\" <" +
-               folder + "tasks.txt\nexec sh " + folder + "merge.sh\n"}};
+  const std::string merge = plan.merge.words.empty() ? "" : "exec sh " + folder + "merge.sh\n";
+  return with_merge(
+      plan, {{"tasks.txt", task_lines(plan)},
+             {"run.sh",
+              "#!/bin/sh\n# run.sh [OPTIONS OF PARALLEL...]: runs all tasks, and then the merge.\nset -eu\n"
+              "parallel --will-cite --halt soon,fail=1 \"$@\" <" +
+                  folder + "tasks.txt\n" + merge}});
 }
 
 namespace {
@@ -169,7 +186,9 @@ PlanFiles ninja_plan(const RunPlan& plan) {
   refuse_line_ends(plan.common, engine);
   refuse_line_ends(plan.folders, engine);
   const auto absolute = [&](const std::string& path) {
-    return ninja_path(path.starts_with('/') ? path : plan.folder + '/' + path);
+    const std::string whole = path.starts_with('/') ? path : plan.folder + '/' + path;
+    refuse_in({whole}, "|", "a | in a name, which ninja has no way to write");
+    return ninja_path(whole);
   };
   std::string out =
       "# A run of etak in shards. A task runs again where its files or options have changed.\n"
@@ -186,17 +205,20 @@ PlanFiles ninja_plan(const RunPlan& plan) {
     append(out, "\n  line = ", ninja_text(task_line(plan, task)), " # files ", task.plan.list,
            "\n  what = shard ", task.plan.shard.text(), '\n');
   }
-  append(out, "build ", absolute(plan.merge.writes), ": run |");
-  for (const PlanTask& task : plan.tasks) append(out, " $\n    ", absolute(task.writes));
-  append(out, "\n  line = cd ", ninja_text(shell_word(plan.folder)), " && ",
-         ninja_text(shell_line(plan.merge.words)), "\n  what = merge\n");
+  std::string parts;
+  for (const PlanTask& task : plan.tasks) append(parts, " $\n    ", absolute(task.writes));
+  const bool merges = !plan.merge.words.empty();
+  if (merges)
+    append(out, "build ", absolute(plan.merge.writes), ": run |", parts, "\n  line = cd ",
+           ninja_text(shell_word(plan.folder)), " && ", ninja_text(shell_line(plan.merge.words)),
+           "\n  what = merge\n");
   // ninja runs in the folder of the plan: its own file has to be named as ninja opens it.
   out += "build build.ninja: plan |";
   for (const auto* const files : {&plan.folders, &plan.common})
     for (const std::string& file : *files) append(out, " $\n    ", absolute(file));
   append(out, "\n  line = cd ", ninja_text(shell_word(plan.folder)), " && ",
          ninja_text(shell_line(plan.again)), '\n');
-  append(out, "default ", absolute(plan.merge.writes), '\n');
+  append(out, "default ", merges ? absolute(plan.merge.writes) : parts, '\n');
   return {{"build.ninja", out}};
 }
 
@@ -208,13 +230,12 @@ PlanFiles json_plan(const RunPlan& plan) {
                         {"writes", json(task.writes)}},
                        4);
   };
-  return {{"plan.json",
-           json_document("etak-plan/1", {{"folder", json(plan.folder)},
-                                         {"common", json_array_of(plan.common)},
-                                         {"merge", json_object({{"words", json_array_of(plan.merge.words)},
-                                                                {"writes", json(plan.merge.writes)}},
-                                                               2)},
-                                         {"tasks", json_lines_of(plan.tasks, 2, task_json)}})}};
+  const std::string merge =
+      json_object({{"words", json_array_of(plan.merge.words)}, {"writes", json(plan.merge.writes)}}, 2);
+  return {{"plan.json", json_document("etak-plan/1", {{"folder", json(plan.folder)},
+                                                      {"common", json_array_of(plan.common)},
+                                                      {"merge", plan.merge.words.empty() ? "null" : merge},
+                                                      {"tasks", json_lines_of(plan.tasks, 2, task_json)}})}};
 }
 
 }  // namespace etak

@@ -26,7 +26,8 @@ struct PlanTask {
 /// Paths are relative to `folder`, or absolute.
 ///   folder    in which all commands run; absolute
 ///   out       of the plan and of what its tasks write; absolute
-///   merge     the command that joins the outputs, and the file that it writes
+///   merge     the command that joins the outputs, and the file that it writes; without words nothing is joined,
+///             and a task that has failed (status 2) fails for its engine too
 ///   common    files that all tasks read: the configuration, a baseline
 ///   folders   whose entries decide the list of files
 ///   again     the command that makes the plan again
@@ -42,7 +43,8 @@ struct RunPlan {
 using PlanFiles = std::vector<std::pair<std::string, std::string>>;  // name and bytes
 
 /// A script for a task of a Slurm array, one for the merge, and submit.sh, which starts both with sbatch: the
-/// merge runs when all tasks have ended well. A task ends well when its output is there, also with findings.
+/// merge runs when all tasks have ended well. A task that is merged ends well when its output is there, also
+/// with findings.
 PlanFiles slurm_plan(const RunPlan& plan);
 
 /// A command a line, as OpenCue's cuecmd reads them, and the script of the merge. Throws Error for a line end in

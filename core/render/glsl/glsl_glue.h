@@ -33,6 +33,7 @@ class GlslGlue {
   GlslText text;
 
   void line(std::string_view code) { (body_ += code) += '\n'; }
+  const std::string& code() const { return body_; }
 
   void use(std::string name, std::string detail) {
     text.features.push_back({std::move(name), true, std::move(detail)});
@@ -68,6 +69,19 @@ class GlslGlue {
     text.uniforms.push_back(std::move(uniform));
   }
 
+  // The text without the parts of a shader: what the code uses, the uniforms as constants with their values, the code.
+  std::string function() && {
+    std::string constants;
+    for (const GlslUniform& each : text.uniforms) {
+      constants +=
+          "const " + glsl_type_name(each.width) + ' ' + each.name + " = " + glsl_type_name(each.width) + '(';
+      for (std::size_t i = 0; i < each.values.size(); ++i)
+        constants += (i > 0 ? ", " : "") + glsl_decimal(each.values[i]);
+      constants += ");\n";
+    }
+    return glsl_needed_by(body_) + "// ---- this material\n" + constants + '\n' + body_;
+  }
+
   GlslText finish(GlslVersion version) && {
     const std::string glue = declarations_ + '\n' + body_;
     const std::string head =
@@ -75,11 +89,15 @@ class GlslGlue {
         (version == GlslVersion::es_300 ? "precision highp float;\nprecision highp int;\n"
                                           "precision highp sampler2D;\n"
                                         : "");
-    const std::string_view vertex = glsl_file(text.ring          ? "shaders/beside_object.vert"
-                                              : text.corners > 3 ? "shaders/around_object.vert"
-                                                                 : "shaders/full_screen.vert");
-    text.vertex = head + std::string(vertex.substr(vertex.find('\n') + 1));
+    if (text.vertex.empty())
+      text.vertex = glsl_file(text.ring          ? "shaders/beside_object.vert"
+                              : text.corners > 3 ? "shaders/around_object.vert"
+                                                 : "shaders/full_screen.vert");
+    text.vertex = head + text.vertex.substr(text.vertex.find('\n') + 1);
     text.fragment = head + "#define real float\n\n" + glsl_needed_by(glue) + "// ---- this scene\n" + glue;
+    if (version == GlslVersion::vulkan_450)
+      for (std::string* each : {&text.vertex, &text.fragment})
+        *each = with_bindings(*each, each == &text.vertex);
     return std::move(text);
   }
 

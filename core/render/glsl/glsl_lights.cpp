@@ -20,10 +20,15 @@ bool in_setup(const Scene& scene, LightKind kind) {
                              [&](const Light& light) { return light.kind == kind && shines(light); });
 }
 
-// The code that computes the distance `r` and the direction `l` of a light that has a position.
+// The call that sums what a light in the direction `to` gives.
+std::string lit(const std::string& to, bool framed) {
+  return framed ? "lit(in_frame(" + to + ", t, b, n), local_v)" : "lit(n, " + to + ", v)";
+}
+
+// The code that computes the distance `r` of a light that has a position, and the way to it.
 std::string arriving(const std::string& kind) {
   return "\n    vec3 to = " + kind + "_position[i] - p;\n    float r = max(length(to), " +
-         std::to_string(point_light_min_r) + ");\n    vec3 l = in_frame(to / r, t, b, n);";
+         std::to_string(point_light_min_r) + ");";
 }
 
 }  // namespace
@@ -32,7 +37,7 @@ bool shines(const Light& light) {
   return light.intensity != 0 && !is_black(light.color);
 }
 
-std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights) {
+std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights, bool framed) {
   std::string code;
   std::vector<const Light*> kinds[3];
   for (const Light& light : scene.lights.lights)
@@ -56,15 +61,14 @@ std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights) {
   if (const auto& of = kinds[static_cast<std::size_t>(LightKind::directional)]; !of.empty()) {
     uniforms("directional_to_light", 3, of, towards);
     uniforms("directional_irradiance", 3, of, strength);
-    code += loop(of.size()) +
-            "\n    vec3 l = in_frame(directional_to_light[i], t, b, n);"
-            "\n    sum += lit(l, local_v) * directional_irradiance[i];\n  }\n";
+    code += loop(of.size()) + "\n    sum += " + lit("directional_to_light[i]", framed) +
+            " * directional_irradiance[i];\n  }\n";
   }
   if (const auto& of = kinds[static_cast<std::size_t>(LightKind::point)]; !of.empty()) {
     uniforms("point_position", 3, of, position);
     uniforms("point_intensity", 3, of, strength);
-    code += loop(of.size()) + arriving("point") +
-            "\n    sum += lit(l, local_v) * point_irradiance(point_intensity[i], r);\n  }\n";
+    code += loop(of.size()) + arriving("point") + "\n    sum += " + lit("to / r", framed) +
+            " * point_irradiance(point_intensity[i], r);\n  }\n";
   }
   if (const auto& of = kinds[static_cast<std::size_t>(LightKind::spot)]; !of.empty()) {
     uniforms("spot_position", 3, of, position);
@@ -76,7 +80,8 @@ std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights) {
     });
     code += loop(of.size()) + arriving("spot") +
             "\n    float share = spot_share(dot(to, spot_back[i]) / r, spot_cosines[i].x, spot_cosines[i].y);"
-            "\n    sum += lit(l, local_v) * point_irradiance(spot_intensity[i], r) * share;\n  }\n";
+            "\n    sum += " +
+            lit("to / r", framed) + " * point_irradiance(spot_intensity[i], r) * share;\n  }\n";
   }
   constexpr std::pair<LightKind, const char*> rows[] = {{LightKind::directional, "directional lights"},
                                                         {LightKind::point, "point lights"},

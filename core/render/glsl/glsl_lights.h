@@ -14,10 +14,11 @@ inline bool is_black(const Vec3& color) {
 /// Whether the light has an intensity and a colour above 0.
 bool shines(const Light& light);
 
-/// The loops over the scene's discrete lights, as code for the body of shade(). Each loop adds lit(l,
-/// local_v) times the irradiance to `sum`. Declares the uniforms of the lights. Lights that do not shine are
-/// left out.
+/// The loops over the scene's discrete lights, as code for the body of shade(). Each loop adds lit() times the
+/// irradiance to `sum`. Declares the uniforms of the lights. Lights that do not shine are left out.
 ///   with_lights   false: no model reflects discrete light, and no loop is written
-std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights);
+///   framed        whether lit() takes directions in the frame of tangent, bitangent and normal (t, b, n); else it takes
+///                 the normal and directions in the scene
+std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights, bool framed);
 
 }  // namespace etak

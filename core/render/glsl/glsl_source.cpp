@@ -5,54 +5,26 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
+#include "core/render/glsl/glsl_tokens.h"
 
 namespace etak {
 namespace {
 
-bool is_word(char c) {
-  return is_letter(c) || is_digit(c) || c == '_';
-}
-
-// The end of the token that begins at `at`: a comment up to the end of its line, a word, a number, or one
-// character.
-std::size_t token_end(std::string_view text, std::size_t at) {
-  std::size_t end = at + 1;
-  const auto here = [&](std::size_t i) { return i < text.size() ? text[i] : '\0'; };
-  if (text[at] == '/' && here(at + 1) == '/') {
-    while (end < text.size() && text[end] != '\n') ++end;
-  } else if (is_digit(text[at]) || (text[at] == '.' && is_digit(here(at + 1)))) {
-    while (is_word(here(end)) || here(end) == '.' ||
-           ((here(end) == '-' || here(end) == '+') && (here(end - 1) == 'e' || here(end - 1) == 'E')))
-      ++end;
-  } else if (is_word(text[at])) {
-    while (is_word(here(end))) ++end;
-  }
-  return end;
-}
-
-template <class Visit>
-void for_each_token(std::string_view text, Visit visit) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = token_end(text, at);
-    visit(text.substr(at, end - at), text.substr(end));
-    at = end;
-  }
-}
-
-bool is_comment(std::string_view token) {
-  return token.starts_with("//");
-}
-
-// The names that a text uses: those that it calls as functions, and all of them.
+// The names that a text uses: those that it calls as functions, those behind a dot that it does not only set, and
+// all of them.
 struct Uses {
-  std::set<std::string_view> called, named;
+  std::set<std::string, std::less<>> called, named, members;
 
   void add(std::string_view text) {
+    char before = ' ';
     for_each_token(text, [&](std::string_view token, std::string_view rest) {
-      if (!is_word(token[0]) || is_digit(token[0])) return;
-      named.insert(token);
-      if (rest.starts_with('(')) called.insert(token);
+      if (is_word(token[0]) && !is_digit(token[0])) {
+        named.emplace(token);
+        if (rest.starts_with('(')) called.emplace(token);
+        if (before == '.' && !rest.starts_with(" = ")) members.emplace(token);
+      }
+      before = token[0];
     });
   }
 };
@@ -60,9 +32,11 @@ struct Uses {
 // A function, struct, constant or uniform, with the comment above it.
 struct Definition {
   std::string_view name;
-  std::string_view text;
+  std::string text;
   bool is_function = false;
   bool needed = false;
+
+  bool is_struct() const { return !is_function && text.find("\n};") != std::string::npos; }
 };
 
 struct ParsedFile {
@@ -136,7 +110,87 @@ const std::vector<ParsedFile>& parsed_files() {
   return files;
 }
 
+// Marks what `root` uses, directly or through others, and nothing else. Returns all names that are used.
+Uses mark_needed(std::vector<ParsedFile>& files, std::string_view root) {
+  for (ParsedFile& parsed : files)
+    for (Definition& each : parsed.definitions) each.needed = false;
+  Uses uses;
+  uses.add(root);
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (ParsedFile& parsed : files)
+      for (Definition& each : parsed.definitions) {
+        if (each.needed || !(each.is_function ? uses.called : uses.named).contains(each.name)) continue;
+        each.needed = grew = true;
+        uses.add(each.text);
+      }
+  }
+  return uses;
+}
+
+// The words of a line, and whether it is one whole statement: `  real x = ...;` or `  a.x = ...;`.
+struct Line {
+  std::vector<std::string_view> words;
+  bool whole = false;
+};
+
+Line read_line(std::string_view line) {
+  Line out;
+  for_each_token(line, [&](std::string_view token, std::string_view) {
+    if (is_comment(token)) return;
+    if (token[0] != ' ') out.words.push_back(token);
+  });
+  out.whole = !out.words.empty() && out.words.back() == ";";
+  return out;
+}
+
+// Takes away the lines of a needed definition that compute or declare what nobody reads: members of structs that are
+// only set, and variables of a function that stand in one line alone. Returns whether there were any.
+bool prune(Definition& each, const Uses& uses) {
+  std::string kept;
+  for (std::size_t at = 0; at < each.text.size();) {
+    const std::size_t end = std::min(each.text.find('\n', at), each.text.size() - 1) + 1;
+    const std::string_view line = std::string_view(each.text).substr(at, end - at);
+    const auto [words, whole] = read_line(line.substr(0, line.size() - 1));
+    bool unread = false;
+    const auto unread_member = [&](std::string_view name) {
+      return name.find_first_not_of("xyzw") != name.npos && !uses.members.contains(name);
+    };
+    if (each.is_struct()) {
+      const std::string_view told = line.substr(0, line.find("  ", 5));  // "//   name", in the comment
+      unread =
+          whole ? words.size() == 3 && unread_member(words[1])
+                : told.starts_with("//   ") && told.find(',') == told.npos && unread_member(told.substr(5));
+    } else if (whole && words.size() > 4 && words[1] == "." && words[3] == "=" && words[4] != "=") {
+      unread = unread_member(words[2]);
+    } else if (whole && words.size() > 4 && words[0] != "return" && is_word(words[1][0]) && words[2] == "=" &&
+               words[3] != "=") {
+      Uses rest;
+      rest.add(std::string_view(each.text).substr(end));
+      unread = !rest.named.contains(words[1]);
+    }
+    if (!unread) kept += line;
+    at = end;
+  }
+  const bool shrunk = kept.size() < each.text.size();
+  each.text = std::move(kept);
+  return shrunk;
+}
+
+bool prune(std::vector<ParsedFile>& files, const Uses& uses) {
+  bool any = false;
+  for (ParsedFile& parsed : files)
+    for (Definition& each : parsed.definitions)
+      if (each.needed && (each.is_struct() || each.is_function) && prune(each, uses)) any = true;
+  return any;
+}
+
 }  // namespace
+
+bool glsl_reads_member(std::string_view root, std::string_view member) {
+  std::vector<ParsedFile> files = parsed_files();
+  return mark_needed(files, root).members.contains(member);
+}
 
 std::string_view glsl_file(std::string_view name) {
   for (const GlslFile& file : glsl_files())
@@ -155,17 +209,7 @@ std::string real_literals(std::string_view text) {
 
 std::string glsl_needed_by(std::string_view root) {
   std::vector<ParsedFile> files = parsed_files();
-  Uses uses;
-  uses.add(root);
-  for (bool grew = true; grew;) {
-    grew = false;
-    for (ParsedFile& parsed : files)
-      for (Definition& each : parsed.definitions) {
-        if (each.needed || !(each.is_function ? uses.called : uses.named).contains(each.name)) continue;
-        each.needed = grew = true;
-        uses.add(each.text);
-      }
-  }
+  for (Uses uses = mark_needed(files, root); prune(files, uses);) uses = mark_needed(files, root);
   std::string out;
   for (const ParsedFile& parsed : files) {
     std::string part;
@@ -179,6 +223,46 @@ std::string glsl_needed_by(std::string_view root) {
            (part.starts_with("//") ? "\n" : "") + part + '\n';
   }
   return out;
+}
+
+std::string with_bindings(std::string_view text, bool vertex) {
+  std::string members, rest;
+  int binding = 0, handed_over = 0;
+  const std::size_t head = text.find('\n') + 1;
+  for (std::size_t at = head; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
+    const std::string_view line = text.substr(at, end - at);
+    if (line.starts_with("uniform sampler"))
+      append(rest, "layout(binding = ", std::to_string(++binding), ") ", line);
+    else if (line.starts_with("uniform "))
+      append(members, "  ", line.substr(8));
+    else if (line.starts_with(vertex ? "out " : "in "))
+      append(rest, "layout(location = ", std::to_string(handed_over++), ") ", line);
+    else
+      rest += line;
+    at = end;
+  }
+  std::string out(text.substr(0, head));
+  if (!members.empty())
+    append(out, "layout(std140, binding = 0) uniform ", vertex ? "Placing" : "Values", " {\n", members,
+           "};\n");
+  const auto replace = [&](std::string_view what, std::string_view by) {
+    for (std::size_t at = 0; (at = rest.find(what, at)) != rest.npos; at += by.size())
+      rest.replace(at, what.size(), by);
+  };
+  if (vertex && rest.find("gl_VertexID") != rest.npos) {
+    replace("gl_VertexID", "vertex_index");
+    out +=
+        "#ifdef VULKAN\n#define vertex_index gl_VertexIndex\n#else\n#define vertex_index "
+        "gl_VertexID\n#endif\n";
+  }
+  if (rest.find("gl_FragCoord.xy") != rest.npos) {
+    replace("gl_FragCoord.xy", "pixel_place");
+    out +=
+        "#ifdef VULKAN\n#define pixel_place vec2(gl_FragCoord.x, picture_size.y - gl_FragCoord.y)\n#else\n"
+        "#define pixel_place gl_FragCoord.xy\n#endif\n";
+  }
+  return out + rest;
 }
 
 }  // namespace etak

@@ -28,7 +28,15 @@ std::string real_literals(std::string_view text);
 
 /// The functions, structs, constants and uniforms of the *.glsl files among glsl_files() that the code `root`
 /// uses, directly or through others, and no others. They come in the order of the files; the part of each
-/// file begins with its name and its heading comment.
+/// file begins with its name and its heading comment. Members of structs and variables that nobody reads are left out.
 std::string glsl_needed_by(std::string_view root);
+
+/// Whether the code `root`, or a function that it uses, reads the member of a struct.
+bool glsl_reads_member(std::string_view root, std::string_view member);
+
+/// The text of a shader of version 450 with what SPIR-V asks for: its uniforms in one block of binding 0, samplers with
+/// the bindings from 1 on, locations for what the stages hand over, and for Vulkan its vertex index and rows that count
+/// from the top.
+std::string with_bindings(std::string_view text, bool vertex);
 
 }  // namespace etak

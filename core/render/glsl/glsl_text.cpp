@@ -33,27 +33,41 @@ class SceneText {
         opacity_(textures != nullptr ? 1 : scene.surface.opacity),
         any_light_(std::ranges::any_of(scene.lights.lights, shines)) {}
 
+  // The scene's surface on a mesh of the caller's.
+  GlslText mesh(GlslVersion version) {
+    mesh_ = true;
+    GlslText text = finish(version);
+    text.corners = 0;
+    return text;
+  }
+
   GlslText finish(GlslVersion version) {
     if (display_ != nullptr) glue_.line(display_->text);
     textures();
     if (textures_ != nullptr) fetches();
     brdf();
-    light_code_ += light_loops(glue_, scene_, any_light_);
+    // A lobe that knows no tangent needs no frame.
+    framed_ = any_light_ && glsl_reads_member(glue_.code() + brdf_, "hu2");
+    light_code_ += light_loops(glue_, scene_, any_light_, framed_);
     hemispheres();
     environment();
-    glue_.line("out vec4 pixel_color;\n");
+    glue_.line(drawn_to);
     if (any_light_) {
-      glue_.line(
-          "vec3 lit(vec3 l, vec3 v) {\n  Angles a = angles(l, v);\n  if (a.valid <= 0.0) return vec3(0.0);");
+      glue_.line((framed_ ? "vec3 lit(vec3 l, vec3 v) {\n  Angles a = angles(l, v);"
+                          : "vec3 lit(vec3 n, vec3 l, vec3 v) {\n  Angles a = angles_about(n, l, v);") +
+                 std::string("\n  if (a.valid <= 0.0) return vec3(0.0);"));
       glue_.line("  return (" + brdf_ + ") * a.nl;\n}\n");
     }
     glue_.line("vec3 shade(vec3 p, vec3 n, vec3 v) {");
-    if (any_light_)
+    if (any_light_ && framed_)
       glue_.line(
           "  vec3 t = tangent_of(n);\n  vec3 b = cross(n, t);\n  vec3 local_v = in_frame(v, t, b, n);");
     glue_.line("  vec3 sum = vec3(0.0);");
     glue_.line(light_code_ + "  return sum;\n}\n");
-    picture();
+    if (mesh_)
+      on_mesh();
+    else
+      picture();
     return std::move(glue_).finish(version);
   }
 
@@ -61,7 +75,7 @@ class SceneText {
   GlslText beside(GlslVersion version) {
     if (display_ != nullptr) glue_.line(display_->text);
     environment_turn();
-    glue_.line("out vec4 pixel_color;\n");
+    glue_.line(drawn_to);
     glue_.uniform("background", scene_.background);
     beside_text(glue_, scene_, camera_);
     transfer_text(glue_, scene_, display_);
@@ -70,6 +84,8 @@ class SceneText {
   }
 
  private:
+  static constexpr const char* drawn_to = "layout(location = 0) out vec4 pixel_color;\n";
+
   bool body_is_black(bool combined) const {
     return is_black(scene_.surface.diffuse) ||
            (combined
@@ -262,6 +278,42 @@ class SceneText {
     glue_.line("  pixel_color = vec4(color, coverage);\n}");
   }
 
+  // Writes main() for a mesh: the vertex shader gives position, normal and texel.
+  void on_mesh() {
+    glue_.text.vertex = std::string(glsl_file("shaders/mesh.vert"));
+    glue_.uniform("viewer", Vec3{0, 0, 1});
+    glue_.use("shape", "a mesh of the caller's");
+    glue_.line("in vec3 mesh_position;\nin vec3 mesh_normal;\nin vec2 mesh_texel;\n\nvoid main() {");
+    glue_.line(
+        "  vec3 p = mesh_position;\n  vec3 n = normalize(mesh_normal);\n  vec3 v = normalize(viewer - p);");
+    if (fetching_) glue_.line("  fetch(mesh_texel * vec2(2.0, -2.0) + vec2(-1.0, 1.0));");
+    glue_.line("  vec3 color = shade(p, n, v);");
+    const std::string alpha = mesh_alpha();
+    transfer_text(glue_, scene_, display_);
+    glue_.line("  pixel_color = vec4(color, " + alpha + ");\n}");
+  }
+
+  std::string mesh_alpha() {
+    if (textures_ != nullptr && textures_->alpha == TextureUse::Alpha::blend) {
+      glue_.use("transparency", "alpha blends");
+      return "fresnel_opacity(texel_opacity, " + f0_luminance() + ", clamp(dot(n, v), 0.0, 1.0))";
+    }
+    if (opacity_ >= 1) {
+      glue_.leave_out("transparency", "opacity is 1");
+      return "1.0";
+    }
+    glue_.uniform("opacity", opacity_);
+    glue_.use("transparency", "opacity below 1");
+    return "fresnel_opacity(opacity, " + f0_luminance() + ", clamp(dot(n, v), 0.0, 1.0))";
+  }
+
+  // The luminance of F0, of the texel where the textures hold F0.
+  std::string f0_luminance() {
+    if (textures_ != nullptr && textures_->specular) return "luminance_of(texel_f0)";
+    glue_.uniform("f0_luminance", luminance_of(scene_.surface.f0));
+    return "f0_luminance";
+  }
+
   void fetches() {
     TextureFetch fetch = texture_fetch(*textures_, scene_.surface.opacity);
     fetching_ = fetch.any;
@@ -334,19 +386,13 @@ class SceneText {
       return glue_.use("transparency", "of the texture");
     }
     if (textures_ != nullptr && textures_->alpha == TextureUse::Alpha::blend) {
-      std::string f0 = "luminance_of(texel_f0)";
-      if (!textures_->specular) {
-        glue_.uniform("f0_luminance", luminance_of(scene_.surface.f0));
-        f0 = "f0_luminance";
-      }
-      glue_.line("    object += (1.0 - fresnel_opacity(texel_opacity, " + f0 + ", dot(n, v)))" + behind);
+      glue_.line("    object += (1.0 - fresnel_opacity(texel_opacity, " + f0_luminance() + ", dot(n, v)))" +
+                 behind);
       return glue_.use("transparency", "alpha blends");
     }
     if (opacity_ >= 1) return glue_.leave_out("transparency", "opacity is 1");
-    const Vec3& f0 = scene_.surface.f0;
     glue_.uniform("opacity", opacity_);
-    glue_.uniform("f0_luminance", luminance_of(f0));
-    glue_.line("    object += (1.0 - fresnel_opacity(opacity, f0_luminance, dot(n, v)))" + behind);
+    glue_.line("    object += (1.0 - fresnel_opacity(opacity, " + f0_luminance() + ", dot(n, v)))" + behind);
     glue_.use("transparency", "opacity below 1");
   }
 
@@ -362,6 +408,8 @@ class SceneText {
   std::string texels_;  // the code that sets the variables of the textures
   std::string body_ = "body_K", mirror_f0_ = "gloss_K", mirror_gloss_ = "gloss";  // names of the values
   bool any_light_;         // whether a discrete light lights a model
+  bool framed_ = false;    // whether the models read where the tangent lies
+  bool mesh_ = false;      // whether the caller's mesh is drawn
   bool fetching_ = false;  // whether a texture of an atlas is read
   bool has_diffuse_ = false, body_declared_ = false, mirror_declared_ = false;
 };
@@ -369,7 +417,7 @@ class SceneText {
 }  // namespace
 
 std::string_view name(GlslVersion version) {
-  return version == GlslVersion::core_330 ? "330 core" : "300 es";
+  return version == GlslVersion::core_330 ? "330 core" : version == GlslVersion::es_300 ? "300 es" : "450";
 }
 
 const GlslFeature* GlslText::feature(std::string_view feature_name) const {
@@ -388,6 +436,10 @@ GlslParts glsl_parts(const Scene& scene, const GlslDisplay* display) {
   GlslParts out{SceneText(scene, display, nullptr, apart).finish(version), std::nullopt};
   if (apart) out.beside = SceneText(scene, display, nullptr).beside(version);
   return out;
+}
+
+GlslText glsl_mesh_text(const Scene& scene, const TextureUse* textures, GlslVersion version) {
+  return SceneText(scene, nullptr, textures).mesh(version);
 }
 
 GlslText glsl_text(const Scene& scene, const TextureUse& textures, GlslVersion version) {

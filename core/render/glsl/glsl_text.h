@@ -13,8 +13,10 @@
 
 namespace etak {
 
-enum class GlslVersion { core_330, es_300 };
-std::string_view name(GlslVersion version);  // "330 core", "300 es"
+/// vulkan_450 has bindings and locations, so that compilers to SPIR-V take it for Vulkan and for OpenGL: its uniforms
+/// are the block of binding 0 in the layout std140, its samplers have the bindings from 1 on.
+enum class GlslVersion { core_330, es_300, vulkan_450 };
+std::string_view name(GlslVersion version);  // "330 core", "300 es", "450"
 
 /// A part that a shader can have.
 ///   in       whether the shader has it
@@ -51,6 +53,8 @@ struct GlslText {
   const GlslFeature* feature(std::string_view feature_name) const;
 };
 
+struct TextureUse;
+
 /// A display transform in place of a scene's transfer curve.
 ///   text       functions and samplers; the caller binds the samplers
 ///   function   the one of them that converts linear sRGB (a vec3) to display values
@@ -68,7 +72,15 @@ struct GlslDisplay {
 GlslText glsl_text(const Scene& scene, GlslVersion version = GlslVersion::core_330,
                    const GlslDisplay* display = nullptr);
 
-/// The same in two parts for a software rasteriser, for which code costs time in pixels too where its result is
+/// The shaders that draw a mesh of the caller's with the scene's surface and light, without background and camera.
+///   vertex     attributes position, normal, texel (locations 0 to 2); uniforms model_matrix and its inverse transpose
+///              normal_matrix, view_projection
+///   fragment   uniform viewer, the place of the camera in the scene; writes colour times alpha, and alpha
+/// Lights that have a place, and the axis of hemispheres, are in the coordinates into which model_matrix leads.
+GlslText glsl_mesh_text(const Scene& scene, const TextureUse* textures = nullptr,
+                        GlslVersion version = GlslVersion::core_330);
+
+/// The shaders of glsl_text() in two parts, for a software rasteriser, for which code costs time in pixels too where its result is
 /// not used: the object with its edge, and the backdrop beside it, which must be drawn first.
 ///   beside   none where the caller can clear the target, or where the object may be anywhere
 struct GlslParts {

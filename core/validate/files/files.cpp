@@ -256,6 +256,7 @@ CheckedFile joined_tiles(std::vector<CheckedFile> tiles) {
   set.height = tiles.front().height;
   set.target = tiles.front().target;
   set.path = set.target->udim;
+  set.is_set = true;
   set.place = tiles.front().place;
   for (CheckedFile& one : tiles) {
     for (Finding& finding : one.findings) {

@@ -2,6 +2,7 @@
 #include "core/validate/files/find_targets.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -170,7 +171,30 @@ class Finder {
         std::unique(candidates_.begin(), candidates_.end(),
                     [](const FileCandidate& a, const FileCandidate& b) { return a.path == b.path; }),
         candidates_.end());
+    drop_other_spellings();
     out_.files = candidates_.size();
+  }
+
+  // A file that was named by two spellings, as "tex/a.png" and "../r/tex/a.png", is checked once as well. Names that
+  // all begin in one way are looked at only where they lead upwards from more than one name of the line.
+  void drop_other_spellings() {
+    std::array<std::size_t, 3> begins{};  // relative, upwards, absolute
+    const auto begin_of = [](const std::string& path) -> std::size_t {
+      return path.starts_with("..") ? 1 : fs::path(path).is_absolute() ? 2 : 0;
+    };
+    for (const FileCandidate& each : candidates_) ++begins[begin_of(each.path)];
+    if (std::ranges::count(begins, 0U) >= 2 && (begins[1] == 0 || request_.paths.size() < 2)) return;
+    std::error_code failure;
+    std::map<fs::path, const FileCandidate*> whole;
+    std::set<const FileCandidate*> dropped;
+    for (const FileCandidate& each : candidates_) {
+      const auto [first, fresh] =
+          whole.try_emplace(fs::absolute(each.path, failure).lexically_normal(), &each);
+      if (fresh) continue;
+      const bool wins = each.named < first->second->named;
+      dropped.insert(wins ? std::exchange(first->second, &each) : &each);
+    }
+    std::erase_if(candidates_, [&](const FileCandidate& each) { return dropped.contains(&each); });
   }
 
   void classify() {

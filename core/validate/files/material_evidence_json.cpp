@@ -201,7 +201,7 @@ MaterialEvidence lenient_evidence(const Json& document) {
 MaterialEvidence evidence_of_material(const Material& material) {
   MaterialEvidence out;
   out.name = material.name;
-  out.material_class = material.material_class;
+  if (material.class_by != ClassBy::nobody) out.material_class = material.material_class;
   for (std::size_t i = 0; i < material.datasets.size(); ++i)
     add_dataset(out, material.datasets[i], i == material.preferred);
   const Dataset& preferred = material.preferred_dataset();

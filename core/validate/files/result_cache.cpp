@@ -68,8 +68,12 @@ ResultCache::ResultCache(CacheOptions options, const std::string& settings, cons
 
 CacheKey ResultCache::key_of(const FoundTarget& found) const {
   CacheKey out;
-  out.hashes = sha256_of_files(found.depends, out.files, found.plain ? SeenAsFile::yes : SeenAsFile::no);
-  if (!out.hashes.empty() && out.hashes.back().empty()) return out;
+  out.files.resize(found.depends.size());
+  for (std::size_t i = 0; i < found.depends.size(); ++i) {
+    const SeenAsFile seen = found.plain ? SeenAsFile::yes : SeenAsFile::no;
+    out.hashes.push_back(sha256_of_file(found.depends[i], out.files[i], seen));
+    if (out.hashes.back().empty()) return out;
+  }
   std::string hashes;
   for (const std::string& hash : out.hashes) (hashes += hash) += '\n';
   Sha256 all;

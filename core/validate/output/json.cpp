@@ -1,21 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // The JSON form, as resources/schema/validation.schema.json describes it.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "core/base/error.h"
+#include "core/base/hash/sha256.h"
 #include "core/base/text/text.h"
 #include "core/validate/output/formats.h"
-#include "core/validate/shards/carrier_json.h"
+#include "core/validate/shards/report_shard.h"
 
 namespace etak {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json value_json(const Finding& finding) {
+// JSON has no form of infinity and NaN: they are null, and words in a shard, of which the other forms are made.
+Json number_json(double value, bool in_shard) {
+  if (std::isfinite(value)) return value;
+  if (!in_shard) return nullptr;
+  return (std::signbit(value) ? "-" : "") + std::string(std::isnan(value) ? "nan" : "inf");
+}
+
+Json value_json(const Finding& finding, bool in_shard) {
   if (!finding.linear && !finding.byte && !finding.luminance) return nullptr;
-  Json out = Json::object();
-  out["linear"] = finding.linear ? Json(*finding.linear) : Json(nullptr);
-  out["byte"] = finding.byte ? Json(*finding.byte) : Json(nullptr);
-  out["Y"] = finding.luminance ? Json(*finding.luminance) : Json(nullptr);
+  Json out = {{"linear", nullptr}, {"byte", nullptr}, {"Y", nullptr}};
+  if (finding.linear)
+    for (const double value : *finding.linear) out["linear"].push_back(number_json(value, in_shard));
+  if (finding.byte) out["byte"] = *finding.byte;
+  if (finding.luminance) out["Y"] = number_json(*finding.luminance, in_shard);
   return out;
 }
 
@@ -33,9 +45,7 @@ Json island_json(const FindingIsland& island) {
   return out;
 }
 
-}  // namespace
-
-Json finding_json(const Finding& finding) {
+Json finding_json(const Finding& finding, bool in_shard) {
   Json out = Json::object();
   out["id"] = finding.rule;
   out["slug"] = finding.slug;
@@ -53,7 +63,7 @@ Json finding_json(const Finding& finding) {
   if (finding.uv) out["uv"] = uv_json(*finding.uv);
   out["areaPx"] = finding.area_px;
   out["areaShare"] = finding.area_share;
-  out["value"] = value_json(finding);
+  out["value"] = value_json(finding, in_shard);
   out["found"] = finding.value;
   out["limit"] = finding.limit;
   out["nearest"] = Json::array();
@@ -68,9 +78,7 @@ Json finding_json(const Finding& finding) {
   return out;
 }
 
-namespace {
-
-Json file_json(const CheckedFile& file) {
+Json file_json(const CheckedFile& file, bool in_shard) {
   Json out = Json::object();
   out["path"] = file.path;
   out["companions"] = file.companions;
@@ -81,12 +89,59 @@ Json file_json(const CheckedFile& file) {
   out["roles"] = Json::array();
   for (const auto& [path, role] : file.roles) out["roles"].push_back({{"file", path}, {"role", role}});
   out["findings"] = Json::array();
-  for (const Finding& finding : file.findings) out["findings"].push_back(finding_json(finding));
+  for (const Finding& finding : file.findings) out["findings"].push_back(finding_json(finding, in_shard));
   Json pixel_counts = Json::object();
   for (const auto& [key, count] : file.counts) pixel_counts[key] = count;
   out["stats"] = {{"plateauPx", file.plateau_px},
                   {"transitionPx", file.transition_px},
                   {"counts", std::move(pixel_counts)}};
+  if (!in_shard) return out;
+  out["place"] = file.place;
+  if (file.is_set) out["udim"] = true;
+  return out;
+}
+
+// The member that holds the SHA-256 of a shard's document, with zeros while that is computed.
+constexpr std::string_view seal = "\"sha256\": \"";
+std::string no_digest() {
+  return std::string(64, '0');
+}
+
+// What merged_report() needs besides the files. Of the first shard also what belongs to no group of files:
+// folders as typed, and what was not opened.
+Json shard_json(const ValidationReport& report) {
+  const ReportShard& shard = *report.shard;
+  const auto [first, last] = shard.shard.items.value_or(std::pair(std::size_t{0}, shard.groups));
+  const RunCounts& run = shard.run;
+  const VerdictOptions& verdict = shard.verdict;
+  Json out = {{"index", shard.shard.index},
+              {"count", shard.shard.count},
+              {"items", shard.groups},
+              {"first", first},
+              {"last", last},
+              {"list", shard.list},
+              {"options", shard.options},
+              {"sha256", no_digest()},
+              {"run",
+               {{"files", run.files},
+                {"skipped", run.skipped},
+                {"failed", run.failed},
+                {"checks", run.checks},
+                {"nothingChecked", report.nothing_checked}}},
+              {"verdict",
+               {{"never", verdict.never_fails},
+                {"exitZero", verdict.exit_zero},
+                {"maxWarnings", verdict.max_warnings ? Json(*verdict.max_warnings) : Json(nullptr)},
+                {"minSeverity", verdict.min_severity}}},
+              {"allowances", Json::array()}};
+  for (const AllowanceUse& use : shard.allowances)
+    out["allowances"].push_back({{"used", use.used},
+                                 {"met", use.met},
+                                 {"anyhow", use.anyhow},
+                                 {"unused", use.unused ? finding_json(*use.unused, true) : Json(nullptr)}});
+  if (shard.shard.index > 1) return out;
+  out["notOpened"] = report.not_opened;
+  out["folders"] = report.typed;
   return out;
 }
 
@@ -109,14 +164,11 @@ Json repairs_json(const RepairReport& repairs) {
   return out;
 }
 
-std::string text_of(const Json& json) {
-  return quiet_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
-}
-
-// The same of a shard, whose merge needs every byte of a name.
-std::string exact_text_of(const Json& json, const std::string& path) {
+// The merge of a shard needs every byte of a name, so that names that are no UTF-8 are refused there.
+std::string text_of(const Json& json, bool in_shard, const std::string& path) {
+  using How = Json::error_handler_t;
   try {
-    return quiet_json(json.dump(2, ' ', false, Json::error_handler_t::strict));
+    return quiet_json(json.dump(2, ' ', false, in_shard ? How::strict : How::replace));
   } catch (const Json::exception&) {
     throw Error::at(printable(path, 200), "a name that is no UTF-8, which the JSON of a shard cannot hold",
                     "another name, or a run without --shard");
@@ -127,17 +179,10 @@ std::string exact_text_of(const Json& json, const std::string& path) {
 // them would take ten times the memory of its text.
 void append_files(std::string& out, const ValidationReport& report) {
   const auto& files = report.files;
-  std::size_t with_pictures = 0;
   for (const CheckedFile& file : files) {
     out += &file == &files.front() ? "\n    " : ",\n    ";
-    Json json = file_json(file);
-    if (report.shard) {
-      add_exact_numbers(file, json["findings"]);
-      json["place"] = file.place;
-      if (may_have_pictures(file) && ++with_pictures <= most_files_with_pictures)
-        json["targets"] = targets_json(file);
-    }
-    for (const char c : report.shard ? exact_text_of(json, file.path) : text_of(json)) {
+    const bool in_shard = report.shard != nullptr;
+    for (const char c : text_of(file_json(file, in_shard), in_shard, file.path)) {
       out += c;
       if (c == '\n') out += "    ";  // in strings a line's end is escaped
     }
@@ -172,11 +217,14 @@ std::string validation_json(const ValidationReport& report, const OutputOptions&
   if (report.repairs) out["repairs"] = repairs_json(*report.repairs);
   out["files"] = Json::array();
   out["truncated"] = false;
-  const std::string frame = report.shard ? exact_text_of(out, "etak validate") : text_of(out);
+  const std::string frame = text_of(out, report.shard != nullptr, "etak validate");
   const std::size_t end = frame.rfind(']');  // of the empty array
   std::string text = frame.substr(0, end);
   append_files(text, report);
-  return text + frame.substr(end) + '\n';
+  append(text, frame.substr(end), '\n');
+  // Strings hold no quotes that are not escaped, so that the first such text is the member itself.
+  if (report.shard) text.replace(text.find(seal) + seal.size(), no_digest().size(), sha256(text));
+  return text;
 }
 
 }  // namespace etak

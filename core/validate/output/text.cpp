@@ -70,8 +70,7 @@ ReportCounts count_files(const ValidationReport& report) {
     // The configuration may have findings of its own (ETK903), but is none of the files that were to be
     // checked.
     const bool is_config = !file.roles.empty() && file.roles.front().second == "config";
-    // The path of a UDIM set stands for its tiles and is no file.
-    const std::size_t own = file.tiles.empty() ? 1 : 0;
+    const std::size_t own = file.is_set ? 0 : 1;
     const std::size_t members = is_config ? 0 : own + file.companions.size();
     out.files += members;
     if (file.unreadable) ++out.unreadable;

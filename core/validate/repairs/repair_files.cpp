@@ -17,6 +17,7 @@
 #include "core/image/load.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/repairs/repair.h"
+#include "core/validate/rules.h"
 
 namespace etak {
 namespace {
@@ -46,11 +47,13 @@ std::size_t texels_apart(const Image16& a, const Image16& b) {
 // A file of a target as it is on the disk, with its codes where it is a picture of codes.
 struct Original {
   std::string bytes;
+  unsigned mode = 0;  // its permissions
   std::optional<RepairPicture> picture;
 };
 
 Original original_of(const TargetFile& file, const PictureDoor& door) {
-  Original out{SteadyFile(file.path, largest_picture_bytes).all(), std::nullopt};
+  Original out{SteadyFile(file.path, largest_picture_bytes).all(), strictest_mode({&file.path, 1}),
+               std::nullopt};
   Picture loaded = load_picture(out.bytes, file.label, door);
   if (loaded.header.floating) return out;
   RepairPicture& picture = out.picture.emplace();
@@ -154,7 +157,7 @@ class TargetRepair {
       out.copy = place_of_copy(file.label);
       const auto steps = steps_.find(file.label);
       if (steps == steps_.end()) {
-        copies.write(out.copy, originals_[i].bytes);
+        copies.write(out.copy, originals_[i].bytes, originals_[i].mode);
         report.files.push_back(std::move(out));
         continue;
       }
@@ -168,7 +171,7 @@ class TargetRepair {
       out.not_kept.insert(out.not_kept.end(), chunks.begin(), chunks.end());
       if (BytesInMemory bytes(originals_[i].bytes); !has_png_signature(bytes))
         out.copy = sys::path_text(fs::path(out.copy).replace_extension(".png"));
-      copies.write(out.copy, *file.bytes);
+      copies.write(out.copy, *file.bytes, originals_[i].mode);
       if (request_.shown) request_.shown(out, codes8(before), codes8(after));
       report.files.push_back(std::move(out));
     }
@@ -228,6 +231,7 @@ class TargetRepair {
       return;
     }
     CheckedFile checked = check(candidate, request_.door, request_.settings, request_.threads);
+    if (checked.unreadable) fail_unchecked(checked);
     const std::string refused = why_refused(finding, checked, !outcome.left.empty());
     if (!refused.empty()) {
       why = refused;
@@ -239,6 +243,13 @@ class TargetRepair {
     pictures_ = std::move(pictures);
     now_ = std::move(candidate);
     findings_ = std::move(checked.findings);
+  }
+
+  // What could not be checked, because a file or memory has gone meanwhile, says nothing of the repair.
+  [[noreturn]] static void fail_unchecked(const CheckedFile& checked) {
+    const auto found =
+        std::ranges::find_if(checked.findings, [](const Finding& each) { return is_of_the_tool(each.rule); });
+    throw Error::at(found->file, found->message, "a set that can be checked again once it is repaired");
   }
 
   void renew_bytes(CheckTarget& candidate, const RepairPicture& picture) {
@@ -364,22 +375,14 @@ RepairReport repair_files(const ValidationReport& report, const RepairRequest& r
   return out;
 }
 
-void refuse_inputs_below(const std::string& folder, std::span<const std::string> inputs) {
-  std::error_code failure;
-  const auto whole_path = [&](const std::string& path) {
-    const fs::path whole = fs::weakly_canonical(fs::absolute(path, failure), failure);
-    return whole.has_filename() ? whole : whole.parent_path();
-  };
-  const fs::path copies = whole_path(folder);
-  for (const std::string& input : inputs) {
-    if (is_pipe_input(input)) continue;
-    for (fs::path at = whole_path(input);; at = at.parent_path()) {
-      if (at == copies)
-        throw Error::at(folder, "is or holds " + printable(input, 200) + ", which is checked",
-                        "a folder of its own for repaired copies");
-      if (at == at.parent_path()) break;
-    }
-  }
+std::shared_ptr<const ReadPlaces> refuse_inputs_below(const std::string& folder,
+                                                      std::span<const std::string> inputs) {
+  auto out = std::make_shared<const ReadPlaces>(inputs);
+  sys::FileInfo info;
+  if (const std::string* const input = sys::file_info(folder, info) ? out->find(info) : nullptr)
+    throw Error::at(folder, "is or holds " + printable(*input, 200) + ", which is checked",
+                    "a folder of its own for repaired copies");
+  return out;
 }
 
 std::vector<std::string> checked_paths(const ValidationReport& report) {

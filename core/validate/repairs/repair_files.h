@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/files/output_tree.h"
+#include "core/base/files/read_places.h"
 #include "core/image/picture.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
@@ -27,7 +29,7 @@ struct RepairRequest {
 
 /// Repairs what can be repaired of the findings of a report, and writes the sets that have changed to
 /// `copies`: repaired pictures and, byte for byte, the other files of their sets, at their places below the
-/// deepest folder that holds all checked pictures. No original is written.
+/// deepest folder that holds all checked pictures, with the permissions of the originals. No original is written.
 ///
 /// A repair counts only where the check of the repaired set finds the rule no more in the file (or less of
 /// it, where some of it is left on purpose) and no error that was not there before; else the texels go back.
@@ -39,9 +41,11 @@ struct RepairRequest {
 /// left. Throws Error where a copy cannot be written or an original has become unreadable.
 RepairReport repair_files(const ValidationReport& report, const RepairRequest& request, OutputTree& copies);
 
-/// Throws Error where an input is the folder, or lies in it or below: no copy may take an original's place.
+/// Throws Error where an input is the folder, or lies in it or below: no copy may take an original's place. Returns
+/// what the copies are to keep off, since a folder in that folder may lead to an input too.
 ///   inputs   paths of files and folders
-void refuse_inputs_below(const std::string& folder, std::span<const std::string> inputs);
+std::shared_ptr<const ReadPlaces> refuse_inputs_below(const std::string& folder,
+                                                      std::span<const std::string> inputs);
 
 /// The paths of all files that a report is about.
 std::vector<std::string> checked_paths(const ValidationReport& report);

@@ -1,301 +1,276 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
-#include "core/base/error.h"
-#include "core/validate/shards/carrier_json.h"
+#include "core/base/json/node_json.h"
+#include "core/validate/engine.h"
+#include "core/validate/output/formats.h"
+#include "core/validate/rules.h"
+#include "core/validate/shards/report_shard.h"
 
 namespace etak {
 namespace {
 
-// The order of the members counts: the counts of a file keep theirs.
-using Json = nlohmann::ordered_json;
+constexpr int most_side = 1 << 24;  // of pictures and boxes; sums of some of them are still whole numbers
 
-// Thrown where a member has no value of its kind; read_shard() makes an Error of it.
-struct BadValue {
-  std::string key, expected;
-};
+std::size_t whole(const JsonNode& node) {
+  if (!node.value.is_number_unsigned()) node.fail_type("a whole number");
+  return node.value.get<std::size_t>();
+}
+
+int side(const JsonNode& node) {
+  return node.integer(0, most_side);
+}
 
 template <class Value>
-Value named(const Json& json, const char* key, std::optional<Value> (*value_of)(std::string_view),
-            const char* expected) {
-  const auto value = value_of(json.at(key).get_ref<const std::string&>());
-  if (!value) throw BadValue{key, expected};
+Value word(const JsonNode& node, std::optional<Value> (*value_of)(std::string_view), const char* expected) {
+  const auto value = value_of(node.text());
+  if (!value) node.fail_type(expected);
   return *value;
 }
 
-std::optional<FileRole> any_role_named(std::string_view text) {
-  const auto role = role_named(text);
-  return role ? role : picture_role_named(text);
+std::optional<Severity> least_severity_named(std::string_view text) {
+  const auto severity = severity_named(text);
+  return severity == Severity::off ? std::nullopt : severity;
 }
 
-std::optional<GreenAxis> green_named(std::string_view text) {
-  for (const GreenAxis green : {GreenAxis::opengl, GreenAxis::directx})
-    if (text == name(green)) return green;
-  return std::nullopt;
+Severity severity_at(const JsonNode& node) {
+  return word(node, least_severity_named, "info, warning or error");
 }
 
-PixelBox read_box(const Json& json) {
-  return {json.at(0).get<int>(), json.at(1).get<int>(), json.at(2).get<int>(), json.at(3).get<int>()};
+std::string digest(const JsonNode& node, std::size_t digits) {
+  const std::string out = node.text();
+  if (out.size() != digits || out.find_first_not_of("0123456789abcdef") != out.npos)
+    node.fail_type(std::to_string(digits) + " hexadecimal digits");
+  return out;
 }
 
-std::string text_at(const Json& json, const char* key) {
-  return json.contains(key) ? json.at(key).get<std::string>() : std::string();
+template <class Read>
+auto maybe(const JsonNode& node, Read read) -> std::optional<decltype(read(node))> {
+  if (node.value.is_null()) return std::nullopt;
+  return read(node);
 }
 
-bool flag_at(const Json& json, const char* key) {
-  return json.contains(key) && json.at(key).get<bool>();
+template <class Read>
+auto list_of(const JsonNode& node, Read read) {
+  node.expect_array();
+  std::vector<decltype(read(node))> out;
+  out.reserve(node.size());
+  for (std::size_t i = 0; i < node.size(); ++i) out.push_back(read(node.at(i)));
+  return out;
 }
 
-double read_exact(const Json& json) {
-  if (json.is_number()) return json.get<double>();
-  const auto& text = json.get_ref<const std::string&>();
-  const bool negative = text.starts_with('-');
-  const double value = text.ends_with("inf")   ? std::numeric_limits<double>::infinity()
-                       : text.ends_with("nan") ? std::numeric_limits<double>::quiet_NaN()
-                                               : throw BadValue{"exactValue", "a number, nan or inf"};
-  return std::copysign(value, negative ? -1.0 : 1.0);
+template <std::size_t count, class Read>
+auto array_of(const JsonNode& node, Read read) {
+  node.expect_array();
+  if (node.size() != count) node.fail_type(std::to_string(count) + " values");
+  std::array<decltype(read(node)), count> out;
+  for (std::size_t i = 0; i < count; ++i) out[i] = read(node.at(i));
+  return out;
 }
 
-std::array<double, 3> read_exact3(const Json& json) {
-  return {read_exact(json.at(0)), read_exact(json.at(1)), read_exact(json.at(2))};
+// A number that JSON may have no form of.
+double exact_number(const JsonNode& node) {
+  constexpr double inf = std::numeric_limits<double>::infinity(),
+                   nan = std::numeric_limits<double>::quiet_NaN();
+  if (!node.value.is_string()) return node.number();
+  for (const auto& [text, value] : {std::pair{"inf", inf}, {"-inf", -inf}, {"nan", nan}, {"-nan", -nan}})
+    if (node.text() == text) return text[0] == '-' ? std::copysign(value, -1.0) : value;
+  node.fail_type("a number, inf, -inf, nan or -nan");
 }
 
-void read_value(const Json& json, Finding& out) {
-  const Json& value = json.at("value");
-  const auto exact = json.find("exactValue");
-  if (!value.is_null()) {
-    if (exact != json.end()) {
-      if (exact->contains("linear")) out.linear = read_exact3(exact->at("linear"));
-      if (exact->contains("Y")) out.luminance = read_exact(exact->at("Y"));
-    } else {
-      if (!value.at("linear").is_null()) out.linear = read_exact3(value.at("linear"));
-      if (!value.at("Y").is_null()) out.luminance = value.at("Y").get<double>();
-    }
-    if (!value.at("byte").is_null()) out.byte = value.at("byte").get<std::array<int, 3>>();
+PixelBox read_box(const JsonNode& node) {
+  const auto sides = array_of<4>(node, side);
+  return {sides[0], sides[1], sides[2], sides[3]};
+}
+
+UvBox read_uv(const JsonNode& node) {
+  return array_of<4>(node, [](const JsonNode& edge) { return edge.number(); });
+}
+
+FindingIsland read_island(const JsonNode& node) {
+  FindingIsland out{node.at("tile").text(), maybe(node.at("bbox"), read_box), whole(node.at("areaPx"))};
+  if (node.has("uv")) out.uv = read_uv(node.at("uv"));
+  return out;
+}
+
+Finding read_finding(const JsonNode& node) {
+  const Rule* const rule = find_rule(node.at("id").text());
+  if (rule == nullptr) node.at("id").fail_type("the id of a rule");
+  Finding out = finding_of(*rule, severity_at(node.at("severity")));
+  for (const auto& [key, text] : {std::pair{"file", &out.file},
+                                  {"message", &out.message},
+                                  {"tile", &out.tile},
+                                  {"material", &out.material},
+                                  {"pointer", &out.pointer},
+                                  {"found", &out.value},
+                                  {"limit", &out.limit},
+                                  {"cause", &out.cause},
+                                  {"fix", &out.fix},
+                                  {"source", &out.source},
+                                  {"suppression", &out.suppression}})
+    *text = node.at(key).text();
+  out.box = maybe(node.at("bbox"), read_box);
+  if (node.has("islands")) out.islands = list_of(node.at("islands"), read_island);
+  if (node.has("uv")) out.uv = read_uv(node.at("uv"));
+  out.area_px = whole(node.at("areaPx"));
+  out.area_share = node.at("areaShare").number();
+  if (const JsonNode value = node.at("value"); !value.value.is_null()) {
+    out.linear =
+        maybe(value.at("linear"), [](const JsonNode& rgb) { return array_of<3>(rgb, exact_number); });
+    out.byte = maybe(value.at("byte"), [](const JsonNode& rgb) {
+      return array_of<3>(rgb, [](const JsonNode& code) { return code.integer(); });
+    });
+    out.luminance = maybe(value.at("Y"), exact_number);
   }
-}
-
-Finding read_finding(const Json& json) {
-  Finding out;
-  json.at("id").get_to(out.rule);
-  json.at("slug").get_to(out.slug);
-  out.severity = named(json, "severity", severity_named, "off, info, warning or error");
-  json.at("file").get_to(out.file);
-  json.at("message").get_to(out.message);
-  json.at("tile").get_to(out.tile);
-  json.at("material").get_to(out.material);
-  json.at("pointer").get_to(out.pointer);
-  if (!json.at("bbox").is_null()) out.box = read_box(json.at("bbox"));
-  if (json.contains("islands"))
-    for (const Json& island : json.at("islands")) {
-      FindingIsland& row = out.islands.emplace_back();
-      island.at("tile").get_to(row.tile);
-      if (!island.at("bbox").is_null()) row.box = read_box(island.at("bbox"));
-      island.at("areaPx").get_to(row.area_px);
-      if (island.contains("uv")) row.uv = island.at("uv").get<UvBox>();
-    }
-  if (json.contains("uv")) out.uv = json.at("uv").get<UvBox>();
-  json.at("areaPx").get_to(out.area_px);
-  json.at("areaShare").get_to(out.area_share);
-  read_value(json, out);
-  json.at("found").get_to(out.value);
-  json.at("limit").get_to(out.limit);
-  for (const Json& near : json.at("nearest"))
-    out.nearest.push_back({near.at("name").get<std::string>(), near.at("dataset").get<std::string>(),
-                           near.at("bytes").get<double>()});
-  json.at("cause").get_to(out.cause);
-  json.at("fix").get_to(out.fix);
-  json.at("source").get_to(out.source);
-  json.at("suppressed").get_to(out.suppressed);
-  json.at("suppression").get_to(out.suppression);
-  json.at("baseline").get_to(out.baseline);
+  out.nearest = list_of(node.at("nearest"), [](const JsonNode& near) {
+    return NearestMaterial{near.at("name").text(), near.at("dataset").text(), near.at("bytes").number()};
+  });
+  out.suppressed = node.at("suppressed").boolean();
+  out.baseline = node.at("baseline").boolean();
   return out;
 }
 
-std::vector<TargetFile> read_target_files(const Json& json) {
-  std::vector<TargetFile> out;
-  for (const Json& row : json) {
-    TargetFile& file = out.emplace_back();
-    file.role = named(row, "role", any_role_named, "a role");
-    row.at("path").get_to(file.path);
-    row.at("label").get_to(file.label);
-    file.guessed = flag_at(row, "guessed");
-    file.channels = text_at(row, "channels");
-    if (row.contains("green")) file.green = named(row, "green", green_named, "opengl or directx");
-  }
-  return out;
-}
-
-CheckTile read_tile(const Json& json) {
-  CheckTile out;
-  json.at("name").get_to(out.name);
-  out.box = read_box(json.at("box"));
-  json.at("page").get_to(out.page);
-  out.material = text_at(json, "material");
-  out.surface_class = text_at(json, "surface");
-  if (json.contains("typicalGloss")) out.typical_gloss = json.at("typicalGloss").get<double>();
-  if (json.contains("gutter")) out.gutter = json.at("gutter").get<int>();
-  if (json.contains("mips")) out.mips = json.at("mips").get<int>();
-  for (std::size_t texture = 0; texture < 2; ++texture)
-    if (const char* key = texture == 0 ? "flatA" : "flatB"; json.contains(key))
-      out.flat[texture] = json.at(key).get<std::array<std::uint8_t, 4>>();
-  out.island_of = text_at(json, "islandOf");
-  if (json.contains("ownAround")) json.at("ownAround").get_to(out.own_around);
-  return out;
-}
-
-Manifest read_manifest(const Json& json) {
-  Manifest out;
-  if (json.contains("tiles"))
-    for (const Json& tile : json.at("tiles")) out.tiles.push_back(read_tile(tile));
-  if (json.contains("gutter")) json.at("gutter").get_to(out.gutter);
-  if (json.contains("mips")) out.mips = json.at("mips").get<int>();
-  if (json.contains("transfer"))
-    out.transfer = named(json, "transfer", texture_transfer_named, "srgb, gamma22 or linear");
-  out.material = text_at(json, "material");
-  out.surface_class = text_at(json, "surface");
-  out.scene = text_at(json, "scene");
-  out.linear8_f0 = flag_at(json, "linear8F0");
-  out.transparent = flag_at(json, "transparent");
-  out.one_texture = flag_at(json, "oneTexture");
-  out.packed = flag_at(json, "packed");
-  out.specular_weighs_diffuse = flag_at(json, "specularWeighsDiffuse");
-  return out;
-}
-
-CheckTarget read_target(const Json& json) {
-  CheckTarget out;
-  json.at("label").get_to(out.label);
-  out.files = read_target_files(json.at("files"));
-  if (json.contains("manifest")) out.manifest = read_manifest(json.at("manifest"));
-  out.udim = text_at(json, "udim");
-  out.tile = text_at(json, "tile");
-  if (json.contains("beside")) out.beside = read_target_files(json.at("beside"));
-  return out;
-}
-
-CheckedFile read_file_json(const Json& json) {
+CheckedFile read_file(const JsonNode& node) {
   CheckedFile out;
-  json.at("path").get_to(out.path);
-  json.at("companions").get_to(out.companions);
-  if (!json.at("sha256").is_null()) json.at("sha256").get_to(out.sha256);
-  json.at("width").get_to(out.width);
-  json.at("height").get_to(out.height);
-  json.at("unreadable").get_to(out.unreadable);
-  for (const Json& row : json.at("roles"))
-    out.roles.emplace_back(row.at("file").get<std::string>(), row.at("role").get<std::string>());
-  for (const Json& finding : json.at("findings")) out.findings.push_back(read_finding(finding));
-  const Json& stats = json.at("stats");
-  stats.at("plateauPx").get_to(out.plateau_px);
-  stats.at("transitionPx").get_to(out.transition_px);
-  for (const auto& [key, count] : stats.at("counts").items())
-    out.counts.emplace_back(key, count.get<std::int64_t>());
-  json.at("place").get_to(out.place);
-  if (!json.contains("targets")) return out;
-  std::vector<std::shared_ptr<const CheckTarget>> targets;
-  for (const Json& target : json.at("targets"))
-    targets.push_back(std::make_shared<const CheckTarget>(read_target(target)));
-  if (targets.empty()) throw BadValue{"targets", "at least one"};
-  out.target = targets.front();
-  if (!targets.front()->udim.empty()) out.tiles = std::move(targets);
+  out.path = node.at("path").text();
+  out.companions = node.at("companions").texts();
+  out.sha256 = maybe(node.at("sha256"), [](const JsonNode& hash) { return digest(hash, 64); }).value_or("");
+  out.width = side(node.at("width"));
+  out.height = side(node.at("height"));
+  out.unreadable = node.at("unreadable").boolean();
+  out.roles = list_of(node.at("roles"), [](const JsonNode& row) {
+    const std::string role = row.at("role").text();
+    if (role != "config" && !role_named(role) && !picture_role_named(role))
+      row.at("role").fail_type("a role of a file");
+    return std::pair(row.at("file").text(), role);
+  });
+  out.findings = list_of(node.at("findings"), read_finding);
+  const JsonNode stats = node.at("stats"), counts = stats.at("counts");
+  out.plateau_px = whole(stats.at("plateauPx"));
+  out.transition_px = whole(stats.at("transitionPx"));
+  for (const std::string_view name : count_names)
+    if (counts.has(name)) out.counts.emplace_back(name, static_cast<std::int64_t>(whole(counts.at(name))));
+  out.place = whole(node.at("place"));
+  out.is_set = node.has("udim");
   return out;
 }
 
-Settings read_settings(const Json& common, const Json& more) {
-  Settings out;
-  out.profile = named(common, "profile", profile_named, "default, strict, film or custom");
-  out.transfer = named(common, "transfer", texture_transfer_named, "srgb, gamma22 or linear");
-  out.fail_on = named(common, "failOn", severity_named, "info, warning or error");
-  more.at("transferStated").get_to(out.transfer_stated);
-  more.at("transparency").get_to(out.alpha_is_transparency);
-  const Json& zone = more.at("zone");
-  zone.at("low").get_to(out.zone.low);
-  zone.at("high").get_to(out.zone.high);
-  out.zone.metric = zone.at("largestChannel").get<bool>() ? ZoneMetric::max : ZoneMetric::luminance;
-  zone.at("erode").get_to(out.zone.erode);
-  zone.at("leastPx").get_to(out.zone.min_area_px);
-  zone.at("leastShare").get_to(out.zone.min_area_share);
-  for (const auto& [id, row] : more.at("rules").items()) {
-    RuleSetting& rule = out.rules[id];
-    if (row.contains("severity")) rule.severity = named(row, "severity", severity_named, "a severity");
-    if (row.contains("parameters"))
-      for (const auto& [key, value] : row.at("parameters").items())
-        rule.parameters[key] = value.get<double>();
-  }
-  return out;
+AllowanceUse read_allowance(const JsonNode& node) {
+  return {node.at("used").boolean(), node.at("met").boolean(), node.at("anyhow").boolean(),
+          maybe(node.at("unused"), read_finding)};
 }
 
-ReportShard read_shard_member(const Json& json, const Json& settings) {
+ReportShard read_member(const JsonNode& node, const JsonNode& settings) {
   ReportShard out;
-  json.at("index").get_to(out.shard.index);
-  json.at("count").get_to(out.shard.count);
-  if (!shard_named(out.shard.text())) throw BadValue{"index", "from 1 to count"};
-  json.at("list").get_to(out.list);
-  json.at("options").get_to(out.options);
-  json.at("groups").get_to(out.groups);
-  out.shard.items.emplace(json.at("first").get<std::size_t>(), json.at("last").get<std::size_t>());
-  const Json& run = json.at("run");
-  run.at("files").get_to(out.run.files);
-  run.at("skipped").get_to(out.run.skipped);
-  run.at("failed").get_to(out.run.failed);
-  run.at("checks").get_to(out.run.checks);
-  const Json& verdict = json.at("verdict");
-  verdict.at("never").get_to(out.verdict.never_fails);
-  verdict.at("exitZero").get_to(out.verdict.exit_zero);
-  if (!verdict.at("maxWarnings").is_null())
-    out.verdict.max_warnings = verdict.at("maxWarnings").get<std::size_t>();
-  verdict.at("minSeverity").get_to(out.verdict.min_severity);
-  out.settings = read_settings(settings, json.at("settings"));
-  for (const Json& row : json.at("allowances")) {
-    AllowanceUse& use = out.allowances.emplace_back();
-    row.at("used").get_to(use.used);
-    row.at("met").get_to(use.met);
-    row.at("anyhow").get_to(use.anyhow);
-    if (!row.at("unused").is_null()) use.unused = read_finding(row.at("unused"));
-  }
+  out.shard = {whole(node.at("index")), whole(node.at("count"))};
+  if (!shard_named(out.shard.text())) node.at("index").fail_type("from 1 to count");
+  out.groups = whole(node.at("items"));
+  const std::size_t first = whole(node.at("first")), last = whole(node.at("last"));
+  if (first > last || last > out.groups) node.at("last").fail_type("from first to items");
+  out.shard.items.emplace(first, last);
+  out.list = digest(node.at("list"), 32);
+  out.options = digest(node.at("options"), 32);
+  const JsonNode run = node.at("run"), verdict = node.at("verdict"), least = verdict.at("minSeverity");
+  out.run.files = whole(run.at("files"));
+  out.run.skipped = whole(run.at("skipped"));
+  out.run.failed = whole(run.at("failed"));
+  out.run.checks = whole(run.at("checks"));
+  out.verdict.never_fails = verdict.at("never").boolean();
+  out.verdict.exit_zero = verdict.at("exitZero").boolean();
+  out.verdict.max_warnings = maybe(verdict.at("maxWarnings"), whole);
+  if (!least.text().empty()) out.verdict.min_severity = name(severity_at(least));
+  out.settings.profile = word(settings.at("profile"), profile_named, "default, strict, film or custom");
+  out.settings.transfer = word(settings.at("transfer"), texture_transfer_named, "srgb, gamma22 or linear");
+  out.settings.fail_on = severity_at(settings.at("failOn"));
+  out.allowances = list_of(node.at("allowances"), read_allowance);
   return out;
 }
 
-ReadShard read_document(const Json& json) {
-  ReadShard out;
-  ValidationReport& report = out.report;
-  if (!json.contains("shard")) throw BadValue{"shard", "the output of a shard, not of a whole run"};
-  json.at("tool").at("version").get_to(out.version);
-  const Json& settings = json.at("settings");
-  settings.at("profile").get_to(report.profile);
-  settings.at("transfer").get_to(report.transfer);
-  settings.at("hash").get_to(report.settings_hash);
-  const Json& shard = json.at("shard");
-  report.shard = std::make_shared<const ReportShard>(read_shard_member(shard, settings));
-  report.run = report.shard->run;
-  shard.at("run").at("nothingChecked").get_to(report.nothing_checked);
-  json.at("notRecognised").get_to(report.unknown);
-  if (shard.contains("notOpened")) shard.at("notOpened").get_to(report.not_opened);
-  if (shard.contains("folders"))
-    for (const auto& [label, typed] : shard.at("folders").items())
-      report.typed.emplace(label, typed.get<std::string>());
-  const Json& files = json.at("files");
-  report.files.reserve(files.size());
-  for (const Json& file : files) report.files.push_back(read_file_json(file));
+ValidationReport read_document(const JsonNode& root, std::string_view version) {
+  if (!root.has("tool") || !root.has("shard"))
+    throw Error::at(root.file, "is not the output of a shard",
+                    "what etak validate --shard I/N --format json wrote");
+  if (const std::string own = root.at("tool").at("version").text(); own != version)
+    throw Error::at(root.file, "was written by etak " + printable(own),
+                    "all shards of etak " + std::string(version));
+  const JsonNode node = root.at("shard");
+  const auto shard = std::make_shared<const ReportShard>(read_member(node, root.at("settings")));
+  ValidationReport out = report_of(list_of(root.at("files"), read_file), shard->settings);
+  out.settings_hash = digest(root.at("settings").at("hash"), 32);
+  out.unknown = root.at("notRecognised").texts();
+  if (node.has("notOpened")) out.not_opened = node.at("notOpened").texts();
+  if (node.has("folders")) {
+    const JsonNode folders = node.at("folders");
+    folders.expect_object();
+    for (const auto& [label, typed] : folders.value.items())
+      out.typed.emplace(label, folders.at(label).text());
+  }
+  out.run = shard->run;
+  out.nothing_checked = node.at("run").at("nothingChecked").boolean();
+  out.incomplete = out.incomplete || out.nothing_checked;
+  const auto& most = shard->verdict.max_warnings;
+  out.passed = out.passed && !out.incomplete && !(most && out.warnings > *most);
+  out.shard = shard;
   return out;
+}
+
+// The document of a shard. The library's own words on what is no JSON do not reach the message.
+JsonDocument parsed(std::string_view text, const std::string& file) {
+  constexpr int most_depth = 20;
+  try {
+    return parse_json_strictly(text, file, most_depth, "the output of a shard");
+  } catch (const Error&) {
+    std::size_t broken = text.size();
+    try {
+      [[maybe_unused]] const Json whole = Json::parse(text);
+      throw;
+    } catch (const Json::parse_error& place) {
+      broken = std::min(broken, place.byte);
+    } catch (const Json::exception&) {
+      // A number beyond all doubles has no place in the library's error.
+    }
+    const std::string_view before = text.substr(0, broken);
+    throw Error::at_line(file, 1 + static_cast<std::size_t>(std::ranges::count(before, '\n')),
+                         "the JSON breaks off: damaged, or no output of a shard",
+                         "what etak validate --shard I/N --format json wrote; run that shard again");
+  }
+}
+
+// Throws Error with the first line in which a document is not what etak writes for its values.
+void check_bytes(std::string_view text, std::string_view written, const std::string& file) {
+  if (text == written) return;
+  constexpr std::string_view seal = "\"sha256\": \"";
+  const std::size_t at = written.find(seal);
+  // The digest differs in any case, so the place is that of the first other difference.
+  std::string unsealed(text);
+  if (unsealed.size() >= at + seal.size() + 64)
+    unsealed.replace(at, seal.size() + 64, written, at, seal.size() + 64);
+  if (unsealed == written)
+    throw Error::at(file + "#/shard/sha256", "is not the SHA-256 of this document",
+                    "a shard as etak wrote it: this one is damaged or was changed; run it again");
+  const auto same = std::ranges::mismatch(unsealed, written).in1 - unsealed.begin();
+  const std::string_view before = std::string_view(unsealed).substr(0, static_cast<std::size_t>(same));
+  const std::size_t line = before.rfind('\n') + 1,
+                    lines = static_cast<std::size_t>(std::ranges::count(before, '\n'));
+  const auto line_of = [&](std::string_view all) {
+    std::string_view out = all.substr(std::min(line, all.size()));
+    out.remove_prefix(std::min(out.find_first_not_of(' '), out.size()));
+    return out.empty() ? "the end of the document" : printable(out.substr(0, out.find('\n')), 80);
+  };
+  throw Error::at_line(file, lines + 1, line_of(unsealed), line_of(written));
 }
 
 }  // namespace
 
-ReadShard read_shard(std::string_view text, const std::string& file) {
-  constexpr const char* expected =
-      "what etak validate --shard --format json wrote, whole and unchanged; run that shard again";
-  try {
-    const Json json = Json::parse(text);
-    return read_document(json);
-  } catch (const Json::parse_error& error) {
-    throw Error::at(file, "is no whole JSON document (byte " + std::to_string(error.byte) + ")", expected);
-  } catch (const Json::exception& error) {
-    throw Error::at(file, "is no shard of etak validate (" + printable(error.what(), 120) + ")", expected);
-  } catch (const BadValue& bad) {
-    throw Error::at(file, "has no right value of \"" + bad.key + "\"", bad.expected);
-  }
+ReadShard read_shard(std::string_view text, const std::string& file, std::string_view version) {
+  ReadShard out{file, read_document({*parsed(text, file), file, {}}, version)};
+  check_bytes(text, validation_json(out.report, {out.report.shard->settings.fail_on, std::string(version)}),
+              file);
+  return out;
 }
 
 }  // namespace etak

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/shards/shards.h"
@@ -22,6 +22,7 @@ namespace etak {
 ///   groups       number of groups of files of the whole run; a group is never cut
 ///   run          counts of the whole run
 ///   allowances   what became of the [[allow]] entries in this shard
+///   settings     read from a document, only what a report says of them: profile, transfer, fail_on
 struct ReportShard {
   Shard shard;
   std::string list, options;
@@ -32,27 +33,25 @@ struct ReportShard {
   VerdictOptions verdict;
 };
 
-/// Only the first so many files with findings get pictures on the HTML page, so that browsers can open the
-/// page of a folder of thousands of files. A shard tells of so many files how to open them.
-inline constexpr std::size_t most_files_with_pictures = 200;
-
-/// Whether the HTML page has pictures of the file, while there is room.
-inline bool may_have_pictures(const CheckedFile& file) {
-  return file.target && !file.findings.empty() && !file.unreadable;
-}
-
-/// A report that the JSON form of a shard holds, and the version of etak that wrote it.
+/// A report that was read from the JSON form of a shard.
+///   file   that holds it, for messages
 struct ReadShard {
+  std::string file;
   ValidationReport report;
-  std::string version;
 };
 
-/// Throws Error naming `file` where the text is no JSON form of a shard.
-ReadShard read_shard(std::string_view text, const std::string& file);
+/// Reads the JSON form of a shard. The document carries the SHA-256 of its own bytes (with zeros in the place
+/// of those digits), which shows damage. A stranger can compute it too; so every value must also be one that
+/// etak writes there, and the document must be, byte for byte, what etak writes for these values. Throws Error
+/// with the file and the place where one of that does not hold.
+///   version   of the program, which must have written the shard
+ReadShard read_shard(std::string_view text, const std::string& file, std::string_view version);
 
-/// The report of the whole run. All shards are there, once each, in their order, and of one run (checked by
-/// complete_shards()).
+/// The report of the whole run. Throws Error that names the file of a shard that is of another run than the
+/// first (number of shards, options, list of files), that is there twice, or whose groups do not follow those
+/// of the shard before it; and an Error that names the shards that are missing.
+///   shards        at least one, in any order
 ///   renew_known   everything found counts as known, in the place of the shards' baseline
-ValidationReport merged_report(std::vector<ValidationReport> shards, bool renew_known);
+ValidationReport merged_report(std::vector<ReadShard> shards, bool renew_known);
 
 }  // namespace etak

@@ -47,8 +47,10 @@ TEST_CASE("a manifest that is wrong is told where") {
   CHECK(fault(R"({"materials": []})") == "m.json#/materials: no material; expected at least one");
   CHECK(contains(fault(one(R"("gloss": 1)")), "m.json#/materials/0: no \"specular\""));
   CHECK(contains(fault(one(R"("specular": 0.04)")), "no \"gloss\""));
-  CHECK(contains(fault(one(R"("specular": 1.5, "gloss": 1)")),
-                 "#/materials/0/specular: 1.5; expected a number from 0 to 1"));
+  CHECK(contains(fault(one(R"("specular": 2.5, "gloss": 1)")),
+                 "#/materials/0/specular: 2.5; expected a number from 0 to 2"));
+  CHECK(contains(fault(one(R"("specular": 0.04, "diffuse": 1.5, "gloss": 1)")),
+                 "#/materials/0/diffuse: 1.5; expected a number from 0 to 1"));
   CHECK(contains(fault(one(R"("specular": [1, 0], "gloss": 1)")), "expected [r, g, b]"));
   CHECK(contains(fault(one(R"("specular": "#12", "gloss": 1)")), "#rrggbb"));
   CHECK(contains(fault(one(R"("specular": 0.04, "gloss": "gold")")), "no file name"));

@@ -2,6 +2,7 @@
 // Packing what was packed before: equal bytes, what may be replaced, what is done anew and what stays.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 
 #include "core/atlas/pack/pack.h"
@@ -73,6 +74,19 @@ TEST_CASE("-u does nothing until an input or an option changes") {
   fs::remove(folder.file("out/page0_diffuse_alpha.png"));
   CHECK_FALSE(pack_text(folder, manifest_of({manifest_entry("a")}), options).up_to_date);
   CHECK(pack_text(folder, manifest_of({manifest_entry("a")}), options).up_to_date);
+}
+
+TEST_CASE("-u packs again where a number has changed in any of its digits") {
+  const TempFolder folder;
+  add_noise_material(folder, "a", 8, 8, 1);
+  PackOptions options;
+  options.output.update = true;
+  for (const double error : {4e-8, 2e-7, 4e-7, 0.1, std::nextafter(0.1, 1)}) {
+    INFO(error);
+    options.leave_out.max_error = error;
+    CHECK_FALSE(pack_text(folder, manifest_of({manifest_entry("a")}), options).up_to_date);
+    CHECK(pack_text(folder, manifest_of({manifest_entry("a")}), options).up_to_date);
+  }
 }
 
 TEST_CASE("a dry run reports and writes nothing") {

@@ -4,8 +4,11 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <thread>
 
+#include "core/base/error.h"
 #include "core/base/hash/sha256.h"
 #include "tests/core/base/cache_support.h"
 #include "tests/support.h"
@@ -28,6 +31,22 @@ std::string path_of(const std::string& folder, const std::string& digest) {
 std::string text_of(CacheFolder& cache, const std::string& digest) {
   const auto entry = cache.find(digest);
   return entry ? entry->text : "none";
+}
+
+constexpr const char* tag =
+    "Signature: 8a477f597d28d172789f06886806bc55\n"
+    "# etak-cache\n";
+
+std::string fault_of(const std::string& folder) {
+  return test::error_of([&] { CacheFolder cache(cache_at(folder)); });
+}
+
+// Bytes that this program has read from files so far; none where the system does not count them.
+std::optional<std::uint64_t> bytes_read() {
+  std::ifstream counts("/proc/self/io");
+  counts.ignore(std::numeric_limits<std::streamsize>::max(), ' ');
+  std::uint64_t out = 0;
+  return counts >> out ? std::optional(out) : std::nullopt;
 }
 
 void set_age(const std::string& path, std::chrono::hours age) {
@@ -185,9 +204,16 @@ TEST_CASE(
   const TempFolder folder;
   constexpr std::uint64_t most = 8 * 4096;
   { CacheFolder(cache_at(folder.path(), most)).keep(digest_of(1), "small"); }
-  test::spit(folder.file("new/aaaa"), "half");
-  test::spit(folder.file("new/bbbb"), "half");
-  set_age(folder.file("new/aaaa"), std::chrono::hours(2));
+  const std::string old = folder.file("new/00000000000000aa"), young = folder.file("new/00000000000000bb");
+  test::spit(old, "half");
+  test::spit(young, "half");
+  set_age(old, std::chrono::hours(2));
+  const std::vector<std::string> others{"new/mine.psd", "new/00000000000000aab", "new/00000000000000AA",
+                                        "new/00000000000000a"};
+  for (const std::string& name : others) {
+    test::spit(folder.file(name), "somebody's");
+    set_age(folder.file(name), std::chrono::hours(2));
+  }
   test::spit(folder.file("notes.txt"), "somebody's");
   test::spit(fs::path(path_of(folder.path(), digest_of(1))).parent_path().string() + "/notes.txt", "too");
   // Without an account all entries are counted.
@@ -195,8 +221,9 @@ TEST_CASE(
   CacheFolder cache(cache_at(folder.path(), most));
   for (int i = 2; i < 20; ++i) cache.keep(digest_of(i), "small");
   CHECK(cache.use().size->bytes <= most);
-  CHECK(!fs::exists(folder.file("new/aaaa")));
-  CHECK(fs::exists(folder.file("new/bbbb")));
+  CHECK(!fs::exists(old));
+  CHECK(fs::exists(young));
+  for (const std::string& name : others) CHECK(test::slurp(folder.file(name)) == "somebody's");
   CHECK(test::slurp(folder.file("notes.txt")) == "somebody's");
   CHECK(fs::exists(fs::path(path_of(folder.path(), digest_of(1))).parent_path() / "notes.txt"));
 }
@@ -205,12 +232,130 @@ TEST_CASE("an account of a cache that says anything does no harm") {
   for (const char* said : {"", "no account", "etak-cache/1 0 0\n", "etak-cache/1 999999999999999999 1\n",
                            "etak-cache/1 -5 1\n", "etak-cache/1 99999999999999999999999999 1\n"}) {
     const TempFolder folder;
-    test::spit(folder.file("account"), said);
     CacheFolder cache(cache_at(folder.path()));
+    test::spit(folder.file("account"), said);
     for (int i = 0; i < 10; ++i) cache.keep(digest_of(i), "small");
     CHECK(cache.use().size->entries == 10);
     CHECK(cache.use().counts.evicted == 0);
   }
+}
+
+TEST_CASE("an account of a cache is replaced where a cache has written it, and left as it is otherwise") {
+  const auto account_after = [](const std::string& said) {
+    const TempFolder folder;
+    CacheFolder cache(cache_at(folder.path()));
+    test::spit(folder.file("account"), said);
+    cache.keep(digest_of(1), "small");
+    CHECK(cache.use().size->entries == 1);
+    return test::slurp(folder.file("account"));
+  };
+  CHECK(account_after("etak-cache/1 8192 3\n") == "etak-cache/1 12288 4\n");
+  CHECK(account_after("etak-cache/7 many\n") == "etak-cache/1 4096 1\n");
+  // What a power cut leaves of one.
+  CHECK(account_after("") == "etak-cache/1 4096 1\n");
+  CHECK(account_after(std::string(21, '\0')) == "etak-cache/1 4096 1\n");
+  for (const std::string& foreign :
+       {std::string("mine\n"), std::string("etak-cach"), std::string(5000, 'x'), std::string(1, '\n')})
+    CHECK(account_after(foreign) == foreign);
+}
+
+TEST_CASE("a folder is a cache's where it is new, empty or marked; any other one is refused as it is") {
+  const TempFolder folder;
+  { CacheFolder cache(cache_at(folder.file("made"))); }
+  CHECK(test::slurp(folder.file("made/CACHEDIR.TAG")).starts_with(tag));
+  fs::create_directory(folder.file("empty"));
+  CHECK(fault_of(folder.file("empty")).empty());
+  CHECK(test::slurp(folder.file("empty/CACHEDIR.TAG")).starts_with(tag));
+  // Beside the tag anything may lie.
+  test::spit(folder.file("made/notes.txt"), "kept");
+  CHECK(fault_of(folder.file("made")).empty());
+
+  const std::string entry = "ab/" + std::string(62, '0') + ".entry";
+  const std::vector<std::string> names{
+      "mine.txt", "new/mine.psd", "account",    "CACHEDIR.TAG", "new/0123456789abcdeg",
+      "ab/mine",  entry + "x",    "AB" + entry, "cd/" + entry,  "bundles/mine"};
+  for (const std::string& name : names) {
+    INFO(name);
+    const TempFolder foreign;
+    fs::create_directories(fs::path(foreign.file(name)).parent_path());
+    test::spit(foreign.file(name), "mine");
+    set_age(foreign.file(name), std::chrono::hours(2));
+    CHECK(test::contains(fault_of(foreign.path()), "is no cache of etak: it holds \""));
+    CHECK(test::slurp(foreign.file(name)) == "mine");
+    CHECK(std::distance(fs::directory_iterator(foreign.path()), {}) == 1);
+  }
+  // The tag of another program's cache does not make the folder etak's.
+  const TempFolder other;
+  test::spit(other.file("CACHEDIR.TAG"),
+             "Signature: 8a477f597d28d172789f06886806bc55\n# of another program\n");
+  CHECK(test::contains(fault_of(other.path()), "holds \"CACHEDIR.TAG\""));
+}
+
+TEST_CASE("a cache from before there was a tag is marked and goes on, and its bundles go when it is full") {
+  const TempFolder folder;
+  constexpr std::uint64_t most = 20 * 4096;
+  {
+    CacheFolder cache(cache_at(folder.path(), most));
+    for (int i = 0; i < 15; ++i) cache.keep(digest_of(i), "small");
+  }
+  for (const char* later : {"CACHEDIR.TAG", "account"}) fs::remove(folder.file(later));
+  test::spit(folder.file("new/0123456789abcdef"), "half");
+  const std::string older = folder.file(digest_of(1).substr(0, 2) + '/' + std::string(62, 'a') + ".json"),
+                    bundle = folder.file("bundles/0123456789abcdef.bundle");
+  test::spit(older, "of an early version");
+  fs::create_directory(folder.file("bundles"));
+  test::spit(bundle, std::string(4096, 'x'));
+  for (const std::string& path : {older, bundle}) set_age(path, std::chrono::hours(3));
+  CacheFolder cache(cache_at(folder.path(), most));
+  CHECK(test::slurp(folder.file("CACHEDIR.TAG")).starts_with(tag));
+  CHECK(text_of(cache, digest_of(7)) == "small");
+  CHECK(cache.use().size->bytes == 17 * 4096);
+  for (int i = 15; i < 20; ++i) cache.keep(digest_of(i), "small");
+  CHECK(cache.use().size->bytes <= most);
+  CHECK(!fs::exists(older));
+  CHECK(!fs::exists(bundle));
+}
+
+TEST_CASE("many programs that begin with a new cache at once all mark it and lose nothing") {
+  const TempFolder folder;
+  std::atomic<int> wrong{0};
+  std::vector<std::thread> programs;
+  for (int p = 0; p < 8; ++p)
+    programs.emplace_back([&, p] {
+      for (int i = 0; i < 20; ++i) {
+        const std::string path = folder.file("cache" + std::to_string(i)), digest = digest_of(p);
+        try {
+          CacheFolder cache(cache_at(path));
+          cache.keep(digest, "small");
+          if (text_of(cache, digest) != "small") ++wrong;
+        } catch (const Error&) {
+          ++wrong;
+        }
+      }
+    });
+  for (std::thread& program : programs) program.join();
+  CHECK(wrong == 0);
+  for (int i = 0; i < 20; ++i) {
+    CacheFolder cache(cache_at(folder.file("cache" + std::to_string(i))));
+    CHECK(cache.use().size->entries == 8);
+  }
+}
+
+TEST_CASE("an entry of a cache that tells a size which none has is refused without being read") {
+  const TempFolder folder;
+  const std::string digest = digest_of(1), path = path_of(folder.path(), digest);
+  CacheFolder cache(cache_at(folder.path()));
+  cache.keep(digest, "small");
+  constexpr std::uint64_t zeros = std::uint64_t{256} << 20;
+  const std::string head = "etak-cache/1 test " + std::string(64, '0') + ' ' + std::to_string(zeros) + " 0\n";
+  for (const std::string& begin : {head, std::string("\0", 1)}) {
+    test::spit(path, begin);
+    fs::resize_file(path, begin.size() + zeros);
+    const auto before = bytes_read();
+    CHECK(text_of(cache, digest) == "none");
+    if (const auto after = bytes_read()) CHECK(*after - *before < 100000);
+  }
+  CHECK(cache.use().counts.refused == 2);
 }
 
 TEST_CASE("links in a cache are not followed") {

@@ -36,3 +36,16 @@ TEST_CASE("CSV fields that are written are read as they were, but for an apostro
   CHECK(of_list == "\"a,b\",,'=c\n");
   CHECK(of_fields == of_list);
 }
+
+TEST_CASE("no cell of a CSV begins a formula, where semicolons separate cells neither") {
+  for (const char* begin : {"=", "+", "-", "@", "|", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"}) {
+    const std::string formula = begin + std::string("cmd");
+    CHECK(csv_field(formula) == "'" + formula);
+    CHECK(csv_field("a;" + formula) == "a;'" + formula);
+    CHECK(csv_field("a; " + formula + ";" + formula) == "a; '" + formula + ";'" + formula);
+    CHECK(csv_field("a;\"" + formula) == "\"a;\"\"'" + formula + "\"");
+    CHECK(csv_field("\t" + formula) == "\\x09" + formula);
+    CHECK(csv_field("a" + formula) == "a" + formula);
+  }
+  for (const char* plain : {"a;b", "1;-2;+3", ";;", "a;-", "; ", "x=1; y"}) CHECK(csv_field(plain) == plain);
+}

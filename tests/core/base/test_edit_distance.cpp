@@ -27,6 +27,15 @@ TEST_CASE("an edit is a letter put in, left out or replaced, whatever its case")
   CHECK(edit_distance("kitten", "sitting") == 3);
 }
 
+TEST_CASE("a name of more than 100 bytes is near to none") {
+  const std::string longest(100, 'a'), longer(101, 'a');
+  CHECK(edit_distance(longest, longest.substr(1)) == 1);
+  CHECK(edit_distance(longer, longest) == 101);
+  CHECK(edit_distance("gold", longer) == 101);
+  CHECK(etak::did_you_mean(longest.substr(1), {longest}) == "; did you mean " + longest + "?");
+  CHECK(etak::did_you_mean(longer, {longest}).empty());
+}
+
 TEST_CASE("edit distance is symmetric, zero for equal names only, and at most the longer name") {
   std::mt19937 random(7);
   const auto word = [&] {

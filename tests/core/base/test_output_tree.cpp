@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/files/read_places.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -84,4 +85,59 @@ TEST_CASE("a tree takes no name that leads out of it, and no name twice") {
     CHECK(contains(error_of([&] { tree.write(name, "x"); }), "cannot hold"));
   tree.write("a", "x");
   CHECK(contains(error_of([&] { tree.write("a", "y"); }), "written twice"));
+}
+
+TEST_CASE("a tree does not replace what has appeared since it looked, and undoes what it had placed") {
+  // Looks before it, and puts itself in place before the tree.
+  struct Late : Output {
+    explicit Late(std::string file) : path(std::move(file)) {}
+    void prepare() override {}
+    void place() override { spit(path, "appeared"); }
+    std::string path;
+  };
+  const TempFolder folder;
+  const std::string target = folder.file("out");
+  fs::create_directories(target);
+  spit(target + "/a", "old");
+  OutputTree tree(target, true);
+  tree.write("a", "new");
+  tree.write("b", "new");
+  tree.write("new/c", "new");
+  Late late(target + "/new/c");
+  Output* const both[] = {&tree, &late};
+  CHECK(contains(error_of([&] { put_in_place(both); }), "out/new/c: exists already"));
+  CHECK(slurp(target + "/a") == "old");
+  CHECK_FALSE(fs::exists(target + "/b"));
+  CHECK(slurp(target + "/new/c") == "appeared");
+}
+
+TEST_CASE("a tree keeps off the files and folders that the run reads, whatever leads to them") {
+  const TempFolder folder;
+  const std::string target = folder.file("out");
+  fs::create_directories(folder.file("in/wood"));
+  fs::create_directories(target);
+  const std::vector<std::string> inputs{folder.file("in/wood/a.png")};
+  spit(inputs[0], "original");
+  fs::create_hard_link(inputs[0], target + "/b.png");
+  OutputTree tree(target, true);
+  tree.write("b.png", "copy");
+  tree.keep_off(std::make_shared<const ReadPlaces>(inputs));
+  CHECK(contains(error_of([&] { tree.commit(); }), "out/b.png: is the input"));
+  OutputTree inside(folder.file("in"), true);
+  inside.write("wood/b.png", "copy");
+  inside.keep_off(std::make_shared<const ReadPlaces>(inputs));
+  CHECK(contains(error_of([&] { inside.commit(); }), "in/wood/: is or holds"));
+  CHECK(slurp(inputs[0]) == "original");
+}
+
+TEST_CASE("a file of a tree has the permissions that were asked for, without those of set-user programs") {
+  const TempFolder folder;
+  OutputTree tree(folder.file("out"), false);
+  tree.write("a", "x", 04640);
+  tree.write("b", "x", 0604);
+  tree.commit();
+  CHECK(fs::status(folder.file("out/a")).permissions() == fs::perms(0640));
+  CHECK(fs::status(folder.file("out/b")).permissions() == fs::perms(0604));
+  const std::vector<std::string> both{folder.file("out/a"), folder.file("out/b"), folder.file("none")};
+  CHECK(strictest_mode(both) == 0600);
 }

@@ -7,18 +7,8 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "tests/support.h"
 
 using namespace etak;
-using namespace etak::test;
-
-namespace {
-
-ShardOutput output_of(const std::string& file, Shard shard, const std::string& content = "c") {
-  return {file, shard, "1.0", "options", "list", content, 0};
-}
-
-}  // namespace
 
 TEST_CASE("a shard is named by two numbers and nothing else") {
   CHECK(shard_named("2/4") == Shard{2, 4});
@@ -81,41 +71,4 @@ TEST_CASE("more shards than items leave some empty, and sums of petabytes do not
   const auto [from, to] = items_of({2, 4}, large);
   CHECK(from == 250);
   CHECK(to == 500);
-}
-
-TEST_CASE("the outputs of a run are put into order; equal doubles count once") {
-  const std::vector<ShardOutput> outputs{output_of("c", {3, 3}), output_of("a", {1, 3}),
-                                         output_of("b", {2, 3}), output_of("a again", {1, 3})};
-  CHECK(complete_shards(outputs, "1.0") == std::vector<std::size_t>{1, 2, 0});
-}
-
-TEST_CASE("missing, foreign, mixed and differing shards are named") {
-  const auto why = [](std::vector<ShardOutput> outputs) {
-    return error_of([&] { complete_shards(outputs, "1.0"); });
-  };
-  const ShardOutput one = output_of("a", {1, 4}), two = output_of("b", {2, 4});
-  CHECK(contains(why({one, two}), "missing: shards 3/4, 4/4"));
-  CHECK(contains(why({one, two, output_of("d", {4, 4})}), "missing: shard 3/4"));
-  CHECK(contains(why({one, output_of("x", {2, 5})}), "x: is shard 2/5"));
-  CHECK(contains(why({one, output_of("x", {1, 4}, "other")}),
-                 "x: is shard 1/4 like a, and their bytes differ"));
-  ShardOutput foreign = two;
-  foreign.list = "other";
-  CHECK(contains(why({one, foreign}), "b: was cut from another list of inputs than a"));
-  foreign = two;
-  foreign.options = "other";
-  CHECK(contains(why({one, foreign}), "b: was run with other options than a"));
-  foreign = two;
-  foreign.version = "0.9";
-  CHECK(contains(why({one, foreign}), "b: was written by etak 0.9; expected all shards of etak 1.0"));
-  ShardOutput first = output_of("a", {1, 2, std::pair<std::size_t, std::size_t>(0, 3)});
-  ShardOutput second = output_of("b", {2, 2, std::pair<std::size_t, std::size_t>(3, 5)});
-  first.items = second.items = 5;
-  CHECK(why({first, second}).empty());
-  second.shard.items = {4, 5};
-  CHECK(contains(why({first, second}), "b: holds other items than follow those of the shards before it"));
-  second.shard.items = {3, 4};
-  CHECK(contains(why({first, second}), "b: holds other items"));
-  const std::string many = why({output_of("a", {1, 1000})});
-  CHECK(contains(many, "and 979 more"));
 }

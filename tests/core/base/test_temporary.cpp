@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <optional>
 
 #include "core/base/files/file.h"
 #include "core/base/files/output_file.h"
@@ -49,15 +50,16 @@ TEST_CASE("found 4.09: what a killed run left goes with the next run to the same
   test::spit(folder.file(".a.json.etak-abcdef"), "half");
   test::spit(folder.file(".b.json.etak-abcdef"), "of another target");
   test::spit(folder.file(".a.json.etak-abcdefg"), "not one of ours");
+  test::spit(folder.file(".a.json.etak-abc.de"), "nor this one");
   test::spit(folder.file("precious"), "precious");
   fs::create_symlink("precious", folder.file(".a.json.etak-abcdeg"));
   const Descriptor live(::open(folder.file(".a.json.etak-abcdeh").c_str(), O_CREAT | O_WRONLY, 0600));
   REQUIRE(::flock(live.get(), LOCK_EX) == 0);
   write_file(folder.file("a.json"), "new", false);
   const Descriptor open = opened(folder.path());
-  CHECK(names_in(open.get()) == std::vector<std::string>{".a.json.etak-abcdefg", ".a.json.etak-abcdeg",
-                                                         ".a.json.etak-abcdeh", ".b.json.etak-abcdef",
-                                                         "a.json", "precious"});
+  CHECK(names_in(open.get()) == std::vector<std::string>{".a.json.etak-abc.de", ".a.json.etak-abcdefg",
+                                                         ".a.json.etak-abcdeg", ".a.json.etak-abcdeh",
+                                                         ".b.json.etak-abcdef", "a.json", "precious"});
   CHECK(test::slurp(folder.file("precious")) == "precious");
 }
 
@@ -81,22 +83,47 @@ TEST_CASE("found 4.13: names up to the longest that the file system takes") {
   CHECK(one.name().substr(0, 240) != two.name().substr(0, 240));
 }
 
-TEST_CASE("a folder's lock that a stranger holds is not waited for without a limit") {
+TEST_CASE("a lock is a file of one's own, which goes with it, and nobody waits without a limit") {
+  const test::TempFolder folder;
+  const Descriptor open = opened(folder.path()), stranger = opened(folder.path());
+  REQUIRE(::flock(stranger.get(), LOCK_EX) == 0);  // whoever may read the folder can
+  std::optional<FolderLock> lock(std::in_place, open.get(), std::chrono::milliseconds(30), "a");
+  CHECK(lock->held());
+  struct stat info {};
+  REQUIRE(::stat(folder.file(".a.etak-lock").c_str(), &info) == 0);
+  CHECK((info.st_mode & 0777) == 0600);
+  const FolderLock late(open.get(), std::chrono::milliseconds(30), "a");
+  CHECK(!late.held());
+  CHECK(late.is_taken());
+  CHECK(FolderLock(open.get(), std::chrono::milliseconds(30), "b").held());
+  lock.reset();
+  CHECK(names_in(open.get()).empty());
+  // What a kill left is taken over.
+  test::spit(folder.file(".a.etak-lock"), "");
+  lock.emplace(open.get(), std::chrono::milliseconds(30), "a");
+  CHECK(lock->held());
+  CHECK(!lock->is_taken());
+  lock.reset();
+  // Where something else has the name, there is no lock, and the work goes on.
+  fs::create_directory(folder.file(".a.etak-lock"));
+  const FolderLock none(open.get(), std::chrono::milliseconds(30), "a");
+  CHECK(!none.held());
+  CHECK(!none.is_taken());
+}
+
+TEST_CASE("remains are removed by their exact form and their owner, whoever holds the folder's own lock") {
   const test::TempFolder folder;
   const Descriptor stranger = opened(folder.path());
   REQUIRE(::flock(stranger.get(), LOCK_EX) == 0);
-  const Descriptor open = opened(folder.path());
-  FolderLock lock(open.get(), std::chrono::milliseconds(30));
-  CHECK(!lock.held());
-  CHECK(lock.is_taken());
-  // Nothing is cleaned away then, and the work goes on.
   test::spit(folder.file(".a.etak-abcdef"), "half");
+  test::spit(folder.file(".a.etak-ab.def"), "not one of ours");
+  test::spit(folder.file(".a.etak-abcdeg"), "of another user");
+  const bool other = ::chown(folder.file(".a.etak-abcdeg").c_str(), 65534, 65534) == 0;
   write_file(folder.file("a"), "whole", false);
   CHECK(test::slurp(folder.file("a")) == "whole");
-  CHECK(fs::exists(folder.file(".a.etak-abcdef")));
-  REQUIRE(::flock(stranger.get(), LOCK_UN) == 0);
-  lock = FolderLock(open.get(), std::chrono::milliseconds(30));
-  CHECK(lock.held());
+  CHECK(!fs::exists(folder.file(".a.etak-abcdef")));
+  CHECK(fs::exists(folder.file(".a.etak-ab.def")));
+  CHECK(fs::exists(folder.file(".a.etak-abcdeg")) == other);
 }
 
 TEST_CASE("outputs of one run are put in place together or not at all") {

@@ -60,6 +60,19 @@ TEST_CASE("found 4.06: a line shows by its number what a terminal or a build wou
   CHECK(printable("aÅb", 2) == "aÅ...");
 }
 
+TEST_CASE("two colons behind any blank of Unicode begin no command of a build") {
+  for (const char* blank :
+       {" ", "\u00A0", "\u1680", "\u2000", "\u2005", "\u200A", "\u202F", "\u205F", "\u3000"}) {
+    const std::string name = blank;
+    CHECK(line_text(name + "::error x::y.csv") == name + "\\x3a:error x::y.csv");
+    CHECK(line_text("a" + name + "::error") == "a" + name + "\\x3a:error");
+    CHECK(line_text(line_text(name + "::")) == line_text(name + "::"));
+  }
+  // These are shown by their numbers, behind which no command is looked for.
+  for (const char* active : {"\t", "\v", "\f", "\u0085", "\u2028", "\u2029"})
+    CHECK(line_text(active + std::string("::error")).starts_with("\\"));
+}
+
 TEST_CASE("found 4.06: JSON holds the true text and no character that acts") {
   for (const std::string text : {"\x1b\x7f\u009b\u202e\n::error", "##[error] \\ \" Å 金", "\u2028\u2066"}) {
     const std::string written = json(text);

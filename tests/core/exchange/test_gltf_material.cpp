@@ -82,7 +82,7 @@ TEST_CASE("the whole library in one document passes the validator, in both forms
     if (!result.refused())
       surfaces.push_back(export_surface(material, dataset, options, result, {0.2, 0.2, 0.2}, 0.5));
   }
-  REQUIRE(surfaces.size() >= 170);
+  REQUIRE(surfaces.size() >= 215);
   const TempFolder temp;
   const std::vector<std::string> files{temp.file("a.gltf"), temp.file("b.glb")};
   spit(files[0], written_gltf(surfaces, GltfMaterialForm::metal_rough, GltfContainer::gltf));

@@ -138,12 +138,12 @@ TEST_CASE("imported metals are metals, named by their sample") {
   CHECK(import("main/Si/nk/Green.yml", "4.08 0.028").material_class == "semiconductor");
   CHECK(import("main/Ge/nk/One.yml", "5.2 2.3").material_class == "semiconductor");
   CHECK(import("main/Ge/nk/One.yml", "5.2 2.3").name == "Ge");
-  CHECK(import("main/C/nk/Diamond.yml", "2.42 0").material_class == "crystal");
-  CHECK(import("main/TiO2/nk/Rutile.yml", "2.8 1e-5").material_class == "crystal");
+  CHECK(import("main/C/nk/Diamond.yml", "2.42 0").material_class == "solid");
+  CHECK(import("main/TiO2/nk/Rutile.yml", "2.8 1e-5").material_class == "solid");
   // Data that do not reach visible light tell nothing of it.
   const std::string infrared =
       "DATA:\n  - type: tabulated nk\n    data: |\n        0.36 1.4 0\n        0.5 1.4 0\n        9 0.5 2\n";
-  CHECK(material_from_rii_page(infrared, "main/SiO2/nk/Ir.yml", "").material_class == "crystal");
+  CHECK(material_from_rii_page(infrared, "main/SiO2/nk/Ir.yml", "").material_class == "solid");
 }
 
 TEST_CASE("rows with n at or below zero outside the visible are left out of the material, flagged") {

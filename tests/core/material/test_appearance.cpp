@@ -54,6 +54,19 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a stone or gem that is asked for by a name of its own is not clear, though its crystal is") {
+  const MaterialLibrary library = MaterialLibrary::builtin();
+  for (const char* name : {"marble", "Polished Marble", "ruby", "amethyst", "garnet", "titanium white"}) {
+    const Material material = *library.find(name);
+    INFO(name);
+    CHECK(!clarity(material, material.preferred_dataset()).clear);
+    CHECK(clarity(*library.find(material.id), material.preferred_dataset()).clear);
+  }
+  // Plasma lies in the same file as whole blood.
+  const Material blood = *library.find("blood");
+  CHECK(clarity(blood, *blood.dataset("liu-2019-plasma")).clear);
+}
+
 TEST_CASE("found 1.05: a body is clear where half of the light passes 1 mm") {
   // 4 pi k d / lambda = ln 2 at d = 1 mm and 555 nm: k = 3.06e-5.
   CHECK(clarity(liquid(2.8e-5), liquid(2.8e-5).datasets[0]).clear);

@@ -27,14 +27,19 @@ OutsideMedium medium(std::string_view text) {
 TEST_CASE("a material is found by id, alias and formula, and before a '/' with its dataset behind it") {
   const auto plain = find_material(library(), "Au");
   REQUIRE(plain);
-  CHECK(plain->material.id == "gold");
+  CHECK(plain->answer.material.id == "gold");
   CHECK(plain->name == "Au");
   CHECK(plain->dataset.empty());
   const auto one = find_material(library(), "Gold/johnson");
   REQUIRE(one);
-  CHECK(one->material.id == "gold");
+  CHECK(one->answer.material.id == "gold");
   CHECK(one->name == "Gold");
   CHECK(one->dataset == "johnson");
+  const auto polished = find_material(library(), "polished gold/johnson");
+  REQUIRE(polished);
+  CHECK(polished->answer.by == NameKind::qualified);
+  CHECK(polished->answer.note == "gold; polished: a roughness, not an F0");
+  CHECK(polished->dataset == "johnson");
   CHECK_FALSE(find_material(library(), "goldd"));
   CHECK_FALSE(find_material(library(), "goldd/johnson"));
 }
@@ -54,6 +59,16 @@ TEST_CASE("an unknown name is told with its place, the nearest names and what el
                "names: gold"));
   CHECK(error_of([] { (void)find_dataset(library(), "xyzzy", "", {}); }) ==
         "xyzzy: is no material of the library; expected a name that etak list shows");
+}
+
+TEST_CASE(
+    "documents and media name materials exactly, because nothing tells there what a qualifier changes") {
+  CHECK(
+      contains(error_of([] { (void)find_dataset(library(), "brushed gold", "", words_at("m.json#/a")); }),
+               "m.json#/a: no material of the library is called brushed gold; expected one of the nearest"));
+  CHECK(contains(error_of([] { (void)medium("wet water"); }), "wet water"));
+  CHECK(error_of([] { (void)find_dataset(library(), "turquoise", "", {}); }) ==
+        "turquoise: no open measurement known: no open n or reflectance of the stone");
 }
 
 TEST_CASE("the outside medium is vacuum, an index above 0, a material or one of its datasets") {

@@ -182,6 +182,11 @@ TEST_CASE(
                  "#/alias_notes/Tt"));
   CHECK(contains(json_complaint(with_change("\"class\"", R"("alias_notes": ["Tt"], "class")")),
                  "#/alias_notes"));
+  const std::string body = R"("bodies": {"Tt": "grains", "author-2000": "cells"}, "class")";
+  const Material opaque = parse_material(with_change("\"class\"", body), "testium.json");
+  CHECK(opaque.bodies == std::vector<AliasNote>{{"Tt", "grains"}, {"author-2000", "cells"}});
+  round_trip(opaque);
+  CHECK(contains(json_complaint(with_change("\"class\"", R"("bodies": {"Xx": "a"}, "class")")), "#/bodies"));
   CHECK(contains(json_complaint(with_change("\"class\"", R"("group": "Wood", "class")")), "#/group"));
   CHECK(contains(json_complaint(with_change("\"class\"", R"("common": 1, "class")")), "#/common"));
 }
@@ -246,10 +251,9 @@ TEST_CASE("unknown and missing keys are named with their place") {
   CHECK(contains(json_complaint(with_change("\"year\": 2000,", "\"yaer\": 2000,")), "yaer"));
   CHECK(contains(json_complaint(with_change("\"note\": \"Made up.\",", "\"remark\": \"\",")), "/datasets/0"));
   for (const auto* line :
-       {"  \"name\": \"Testium\",\n", "  \"class\": \"metal\",\n", "  \"preferred\": \"author-2000\",\n",
-        "      \"unit\": \"um\",\n", "      \"quantity\": \"n,k\",\n", "      \"origin\": \"measured\",\n",
-        "        \"licence\": \"CC0-1.0\",\n", "      \"valid_range\": [0.3, 0.9],\n",
-        "      \"columns\": [\"wavelength\", \"n\", \"k\"],\n"}) {
+       {"  \"name\": \"Testium\",\n", "  \"preferred\": \"author-2000\",\n", "      \"unit\": \"um\",\n",
+        "      \"quantity\": \"n,k\",\n", "        \"licence\": \"CC0-1.0\",\n",
+        "      \"valid_range\": [0.3, 0.9],\n", "      \"columns\": [\"wavelength\", \"n\", \"k\"],\n"}) {
     INFO(line);
     const std::string message = json_complaint(with_change(line, ""));
     const std::string key = std::string(line).substr(std::string(line).find('"') + 1);

@@ -49,7 +49,7 @@ TEST_CASE("a set of flags holds what was put in and visits it in order") {
 }
 
 TEST_CASE("origins read back") {
-  for (const auto origin : {Origin::measured, Origin::fit, Origin::computed})
+  for (const auto origin : {Origin::measured, Origin::fit, Origin::computed, Origin::unknown})
     CHECK(origin_named(name(origin)) == origin);
   CHECK(!origin_named("guessed"));
 }

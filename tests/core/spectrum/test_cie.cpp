@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "core/base/error.h"
 #include "core/math/mat3.h"
 #include "core/spectrum/cie.h"
+#include "core/spectrum/integration.h"
+#include "core/spectrum/own_viewing.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -125,4 +129,22 @@ TEST_CASE("observer and illuminant names read back") {
   CHECK(name(Illuminant::d50) == "D50");
   CHECK(!observer_named("2"));
   CHECK(!illuminant_named("D75"));
+}
+
+TEST_CASE("tables of one's own are observers and illuminants as long as somebody holds them") {
+  std::array<double, grid_size> power{};
+  std::copy(relative_power(Illuminant::a).begin(), relative_power(Illuminant::a).end(), power.begin());
+  const auto light = own_illuminant(power);
+  const auto eye = own_observer(matching_functions(Observer::cie1964_10deg));
+  CHECK(name(*light) == "own");
+  CHECK(name(*eye) == "own");
+  CHECK(*light != *own_illuminant(power));
+  CHECK(std::ranges::equal(relative_power(*light), relative_power(Illuminant::a)));
+  CHECK(std::ranges::equal(matching_functions(*eye), matching_functions(Observer::cie1964_10deg)));
+  const Viewing own{*eye, *light}, known{Observer::cie1964_10deg, Illuminant::a};
+  CHECK(make_quadrature(Method::nm1, own).weight == make_quadrature(Method::nm1, known).weight);
+  power[7] = -1;
+  CHECK_THROWS_AS(own_illuminant(power), Error);
+  CHECK_THROWS_AS(own_illuminant(std::array<double, grid_size>{}), Error);
+  CHECK_THROWS_AS(own_observer(std::array<std::array<double, 3>, grid_size>{}), Error);
 }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/options/color.h"
+
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/color/srgb.h"
+
+namespace etak::cli {
+
+LinearRgb typed_color(const std::string& place, std::string_view text) {
+  if (text.starts_with('#')) return srgb_decode(parse_hex(text));
+  std::vector<double> out;
+  for (std::string_view rest = text;;) {
+    const std::size_t comma = rest.find(',');
+    double value = 0;
+    if (!parse_number(rest.substr(0, comma), value))
+      throw Error::at(place, printable(text), "one number, three with ',' between, or #rrggbb");
+    out.push_back(value);
+    if (comma == rest.npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (out.size() == 1) return {out[0], out[0], out[0]};
+  if (out.size() != 3)
+    throw Error::at(place, std::to_string(out.size()) + " numbers", "one or three, or #rrggbb");
+  return {out[0], out[1], out[2]};
+}
+
+void add_color_option(Command verb, const char* name, std::string& value, const char* help) {
+  verb.option(name, value, help).value_name("R,G,B|#RRGGBB");
+}
+
+LinearRgb typed_share(const std::string& place, std::string_view text) {
+  const LinearRgb out = typed_color(place, text);
+  for (const double value : vec(out))
+    if (!(value >= 0 && value <= 1)) throw Error::at(place, number(value, 6), "0 to 1");
+  return out;
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// etak.nearest, etak.export, etak.eval and etak.delta_e: what the verbs of these names answer, and differences of colours.
+#include <algorithm>
+
+#include "app/python/validate.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/setting.h"
+#include "core/color/delta_e.h"
+#include "core/color/srgb.h"
+#include "core/exchange/export_values.h"
+#include "core/exchange/gltf_material.h"
+#include "core/exchange/material_x.h"
+#include "core/light/functions_csv.h"
+#include "core/material/catalogue.h"
+#include "core/material/quality.h"
+#include "core/pages/lists/lists.h"
+
+namespace etak::python {
+namespace {
+
+// ---- colours
+
+// A colour as Python has it: "#ffe29b", three 8-bit codes, or linear values.
+std::variant<LinearRgb, Srgb8> color_of(const py::object& value, bool linear) {
+  if (py::isinstance<py::str>(value)) return parse_hex(value.cast<std::string>());
+  const Array given = doubles(value, "color");
+  if (given.ndim() != 1 || given.size() != 3)
+    throw Error::at("color", "shape " + shape_text(given), "three numbers, or a hex text");
+  const Vec3 rgb{given.data()[0], given.data()[1], given.data()[2]};
+  std::array<std::uint8_t, 3> codes{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!std::isfinite(rgb[c])) throw Error::at("color", number(rgb[c], 6), "finite numbers");
+    codes[c] = static_cast<std::uint8_t>(std::clamp(rgb[c], 0.0, 255.0));
+    if (!linear && codes[c] != rgb[c])
+      throw Error::at("color", number(rgb[c], 6) + " is no 8-bit code",
+                      "whole numbers 0 to 255, or linear=True");
+  }
+  if (linear) return to_rgb(rgb);
+  return Srgb8{codes[0], codes[1], codes[2]};
+}
+
+std::vector<std::tuple<std::shared_ptr<Material>, std::string, double>> nearest(
+    const py::object& color, bool linear, std::size_t count, const py::object& classes,
+    const Library& library, int threads) {
+  const auto wanted = color_of(color, linear);
+  const std::vector<std::string> only = texts_of(classes, "classes");
+  check_classes(only);
+  LongWork work;
+  return work.unlocked([&] {
+    const std::vector<CatalogueEntry> all =
+        catalogue(library.get(), F0Solver{F0Options{}}, threads_of(threads));
+    std::vector<std::tuple<std::shared_ptr<Material>, std::string, double>> out;
+    for (const NearMaterial& each : nearest_materials(all, wanted, only, count))
+      out.emplace_back(std::make_shared<Material>(each.entry->material), hex(each.entry->result.srgb8),
+                       each.delta_e);
+    return out;
+  });
+}
+
+// Differences of linear colours, three numbers each.
+Array delta_e(const py::object& a, const py::object& b) {
+  const Array one = doubles(a, "a"), other = doubles(b, "b");
+  for (const auto& [array, name] : {std::pair(&one, "a"), std::pair(&other, "b")})
+    if (array->ndim() == 0 || array->shape(array->ndim() - 1) != 3)
+      throw Error::at(name, "shape " + shape_text(*array), "(..., 3)");
+  const py::list both = py::module_::import("numpy").attr("broadcast_arrays")(one, other);
+  const Array first = doubles(both[0], "a"), second = doubles(both[1], "b");
+  Array out(std::vector<py::ssize_t>(first.shape(), first.shape() + first.ndim() - 1));
+  double* const to = out.mutable_data();
+  LongWork work;
+  work.unlocked([&] {
+    const double *x = first.data(), *y = second.data();
+    for (py::ssize_t i = 0; i < out.size(); ++i, x += 3, y += 3) {
+      if (i % 1024 == 0) work.go_on();
+      to[i] = delta_e2000(to_lab(LinearRgb{x[0], x[1], x[2]}), to_lab(LinearRgb{y[0], y[1], y[2]}));
+    }
+    return true;
+  });
+  return out;
+}
+
+// ---- formulas
+
+// The value of a function for inputs that are words, or arrays of one shape as numpy has broadcast them.
+Array evaluated(const std::string& id, const py::dict& words, const py::dict& numbers) {
+  const Function& function = function_named(id, {});
+  std::vector<NamedText> inputs;
+  for (const auto& [name, value] : words)
+    inputs.emplace_back(name.cast<std::string>(), value.cast<std::string>());
+  const std::size_t fixed = inputs.size();
+  std::vector<Array> arrays;
+  for (const auto& [name, value] : numbers) {
+    inputs.emplace_back(name.cast<std::string>(), "");
+    arrays.push_back(doubles(py::reinterpret_borrow<py::object>(value), inputs.back().first.c_str()));
+  }
+  Array out(arrays.empty()
+                ? std::vector<py::ssize_t>()
+                : std::vector<py::ssize_t>(arrays[0].shape(), arrays[0].shape() + arrays[0].ndim()));
+  double* const to = out.mutable_data();
+  LongWork work;
+  work.unlocked([&] {
+    for (py::ssize_t i = 0; i < out.size(); ++i) {
+      if (i % 64 == 0) work.go_on();
+      for (std::size_t k = 0; k < arrays.size(); ++k)
+        inputs[fixed + k].second = number(arrays[k].data()[i], 17);
+      to[i] = evaluate(function, inputs, {});
+    }
+    return true;
+  });
+  return out;
+}
+
+// ---- export
+
+struct ExportCall {
+  std::vector<AskedMaterial> asked;
+  std::string to;
+  std::vector<std::string> targets;
+  std::optional<Gloss> gloss;
+  LinearRgb diffuse{0, 0, 0};
+  double opacity = 1;
+  Fit fit = Fit::clamp;
+  GltfMaterialForm form = GltfMaterialForm::metal_rough;
+};
+
+// The document, and what was assumed and changed.
+struct Exported {
+  std::string document;
+  std::vector<std::string> remarks;
+};
+
+Exported exported(const ExportCall& call, const F0Options& options, const TableSettings& tables,
+                  const Library& library, int threads, LongWork& work) {
+  const F0Solver solver(options);
+  std::vector<ExportSurface> surfaces;
+  std::vector<std::string> datasets;
+  for (const AskedMaterial& each : call.asked) {
+    work.go_on();
+    const DatasetOf found = read_one(each, library, tables);
+    const F0Result result = solve(solver, *found.material, found.dataset());
+    if (result.refused()) throw Error::at(found.label(), "refused: " + result.refusal);
+    surfaces.push_back(
+        export_surface(*found.material, found.dataset(), options, result, call.diffuse, call.gloss));
+    surfaces.back().opacity = call.opacity;
+    validate(surfaces.back());
+    datasets.push_back(found.dataset().id);
+  }
+  if (call.to == "values")
+    return {export_json(exported_values(std::move(surfaces), datasets, engine_targets_named(call.targets),
+                                        call.fit, threads_of(threads)),
+                        call.fit, policy(options)),
+            {}};
+  Exported out;
+  std::vector<Changes> changes;
+  out.document =
+      call.to == "mtlx"
+          ? material_x(surfaces, call.fit, changes)
+          : gltf_document(surfaces, call.form, call.to == "glb" ? GltfContainer::glb : GltfContainer::gltf,
+                          call.fit, changes);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (const std::string& note : surfaces[i].notes) out.remarks.push_back(surfaces[i].id + ": " + note);
+    for (const Change& change : changes[i]) out.remarks.push_back(surfaces[i].id + ": " + one_line(change));
+  }
+  return out;
+}
+
+py::tuple export_call(const std::vector<py::object>& materials, const std::string& to, const py::dict& how,
+                      const py::dict& given, const Library& library, int threads) {
+  ExportCall call;
+  call.asked = asked_materials(materials, text_of(how["dataset"], "dataset"));
+  if (call.asked.empty()) throw Error::at("materials", "no material", "one, or several");
+  // A target's id is short for the values of that target.
+  call.to = to == "mtlx" || to == "gltf" || to == "glb" ? to : "values";
+  call.targets = texts_of(how["target"], "target");
+  if (to != call.to) call.targets = {to};
+  const auto share = [&](const char* name) { return how[name].cast<std::optional<double>>(); };
+  call.gloss = given_gloss(share("gloss"), share("roughness"));
+  call.opacity = how["opacity"].cast<double>();
+  if (!how["diffuse"].is_none()) call.diffuse = std::get<LinearRgb>(color_of(how["diffuse"], true));
+  call.fit = setting_value("fit", text_of(how["fit"], "fit"), call.fit, fit_named, "clamp or preserve-hue");
+  const auto form_named = [](const std::string& text) -> std::optional<GltfMaterialForm> {
+    if (text == "metal-rough") return GltfMaterialForm::metal_rough;
+    if (text == "specular-glossiness") return GltfMaterialForm::specular_glossiness;
+    return std::nullopt;
+  };
+  call.form = setting_value("gltf-form", text_of(how["gltf_form"], "gltf_form"), call.form, form_named,
+                            "metal-rough or specular-glossiness");
+  const GivenF0Settings settings = f0_settings(given);
+  const TableSettings tables = table_settings(given);
+  LongWork work;
+  const Exported out = work.unlocked([&] {
+    const F0Options options = options_of(settings, library);
+    require_export_space(call.to, options);
+    return exported(call, options, tables, library, threads, work);
+  });
+  if (call.to == "values")
+    return py::make_tuple(py::module_::import("json").attr("loads")(out.document), out.remarks);
+  if (call.to == "glb") return py::make_tuple(py::bytes(out.document), out.remarks);
+  return py::make_tuple(out.document, out.remarks);
+}
+
+}  // namespace
+
+void add_questions(py::module_& module) {
+  module.def("nearest", &nearest, py::arg("color"), py::arg("linear"), py::arg("count"), py::arg("classes"),
+             py::arg("library"), py::arg("threads"));
+  module.def(
+      "hex_color", [](const std::string& text) { return array_of_rgb(srgb_decode(parse_hex(text))); },
+      py::arg("text"));
+  module.def("delta_e", &delta_e, py::arg("a"), py::arg("b"));
+  module.def("evaluated", &evaluated, py::arg("function"), py::arg("words"), py::arg("numbers"));
+  module.def("functions", [] {
+    return py::module_::import("json").attr("loads")(functions_json())["functions"].cast<py::list>();
+  });
+  module.def("export", &export_call, py::arg("materials"), py::arg("to"), py::arg("how"), py::arg("settings"),
+             py::arg("library"), py::arg("threads"));
+}
+
+}  // namespace etak::python

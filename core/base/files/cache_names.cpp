@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// What in a folder is a cache's own: the tag that marks the folder, and the names that a cache makes in it. Nothing
+// else there is ever replaced or removed.
+#include <string>
+
+#include "core/base/files/cache_state.h"
+#include "core/base/number.h"
+#include "core/base/setting.h"
+
+namespace etak {
+namespace {
+
+// The first line is the one by which programs that make copies know any cache; the second one is etak's own.
+constexpr std::string_view tag_begin =
+    "Signature: 8a477f597d28d172789f06886806bc55\n"
+    "# etak-cache\n";
+constexpr std::string_view tag_rest =
+    "# The results in this folder are made again where they are missing: it may be removed at any time.\n";
+constexpr std::size_t new_digits = 16;
+
+bool is_hex_with(std::string_view name, std::size_t digits, std::string_view ending) {
+  return name.size() == digits + ending.size() && are_hex_digits(name.substr(0, digits)) &&
+         name.ends_with(ending);
+}
+
+// Entries of etak from before there was a size end in ".json": nothing finds them any more, so that they are the
+// first to go.
+bool is_entry_name(std::string_view name) {
+  constexpr std::size_t digits = digest_digits - folder_digits;
+  return is_hex_with(name, digits, entry_ending) || is_hex_with(name, digits, ".json");
+}
+
+// Earlier versions put copies of many entries in one file. Nothing reads these any more either.
+bool is_bundle_name(std::string_view name) {
+  return is_hex_with(name, new_digits, ".bundle");
+}
+
+bool is_marked(int root) {
+  const auto tag = first_bytes_of(root, tag_file);
+  return tag && tag->starts_with(tag_begin);
+}
+
+// The first name in the folder that no cache makes; empty where there is none.
+std::string foreign_name(int root) {
+  for (const std::string& name : names_in(root)) {
+    if (name == tag_file && is_marked(root)) continue;  // by another program, since this one has looked
+    if (name == account_file)
+      if (const auto text = first_bytes_of(root, account_file); text && is_account(*text)) continue;
+    const IsOwnName is_own = own_names_of(name);
+    const Descriptor folder = is_own == nullptr ? Descriptor() : open_folder(root, name);
+    if (!folder) return name;
+    for (const std::string& inner : names_in(folder.get()))
+      if (!is_own(inner)) return name + '/' + inner;
+  }
+  return {};
+}
+
+}  // namespace
+
+bool is_new_name(std::string_view name) {
+  return is_hex_with(name, new_digits, {});
+}
+
+IsOwnName own_names_of(std::string_view folder) {
+  if (folder == folder_of_new_entries) return is_new_name;
+  if (folder == "bundles") return is_bundle_name;
+  return is_hex_with(folder, folder_digits, {}) ? is_entry_name : nullptr;
+}
+
+std::optional<std::string> first_bytes_of(int folder, const std::string& name) {
+  const Descriptor file(sys::open_in(folder, name, sys::OpenIn::read));
+  sys::FileInfo info;
+  if (!file || !sys::file_info(file.get(), info) || info.kind != sys::FileInfo::Kind::file)
+    return std::nullopt;
+  std::string out(static_cast<std::size_t>(std::min<std::uint64_t>(info.size, longest_head)), '\0');
+  if (!fill_from(file.get(), out)) return std::nullopt;
+  return out;
+}
+
+bool is_account(std::string_view text) {
+  return text.starts_with("etak-cache/") || text.find_first_not_of('\0') == text.npos;
+}
+
+std::optional<CacheAccount> read_account(std::string_view text) {
+  if (!text.ends_with('\n')) return std::nullopt;
+  text.remove_suffix(1);
+  if (take_word(text) != cache_format) return std::nullopt;
+  const auto bytes = whole_number<std::uint64_t>(take_word(text)), runs = whole_number<std::uint64_t>(text);
+  if (!bytes || !runs) return std::nullopt;
+  return CacheAccount{*bytes, *runs};
+}
+
+void CacheFolder::State::own_folder() {
+  if (is_marked(root.get())) return;
+  if (const std::string foreign = foreign_name(root.get()); !foreign.empty())
+    throw Error::at(
+        setting("cache"),
+        printable(options.path, 200) + " is no cache of etak: it holds " + in_quotes(foreign, 200),
+        "a new or empty folder, or one that CACHEDIR.TAG marks as a cache of etak");
+  // Where the folder takes no file, its entries are read all the same, and the next run tries again.
+  NewEntry::Open tag(*this);
+  if (!tag.create()) return;
+  tag.add(std::string(tag_begin) + std::string(tag_rest));
+  (void)tag.rename_to(root.get(), tag_file);
+}
+
+}  // namespace etak

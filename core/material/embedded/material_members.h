@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include "core/base/bytes/member_bytes.h"
+#include "core/material/material.h"
+
+// The members of a material as bytes (core/base/bytes/member_bytes.h): in the built-in library, and for whoever keeps
+// materials elsewhere. Functions are found beside the structs, so they are in their namespace.
+namespace etak {
+
+/// Struct or const Struct.
+template <class S, class Struct>
+concept Like = std::same_as<std::remove_const_t<S>, Struct>;
+
+template <class To, class... Members>
+void all_members(To& to, Members&... values) {
+  (to.member(values), ...);
+}
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+void members(MemberReader& to, Enum& value) {
+  int read = 0;
+  to.member(read);
+  value = static_cast<Enum>(read);
+}
+
+inline void members(MemberWriter& to, const Flags& f) {
+  to.member(std::uint64_t{f.bits()});
+}
+inline void members(MemberReader& to, Flags& f) {
+  std::uint64_t bits = 0;
+  to.member(bits);
+  f = Flags::from_bits(static_cast<std::uint32_t>(bits));
+}
+
+template <class... Types>
+void members(MemberWriter& to, const std::variant<Types...>& v) {
+  to.member(std::uint64_t{v.index()});
+  std::visit([&](const auto& value) { to.member(value); }, v);
+}
+template <class First, class Second>
+void members(MemberReader& to, std::variant<First, Second>& v) {
+  std::uint64_t index = 0;
+  to.member(index);
+  if (index == 0)
+    to.member(v.template emplace<0>());
+  else
+    to.member(v.template emplace<1>());
+}
+
+// ---- materials
+
+template <class To, Like<Spectrum> S>
+void members(To& to, S& s) {
+  all_members(to, s.wavelength_nm, s.value);
+}
+template <class To, Like<DispersionFormula> S>
+void members(To& to, S& s) {
+  all_members(to, s.number, s.coefficients, s.first_nm, s.last_nm);
+}
+template <class To, Like<OpticalConstants> S>
+void members(To& to, S& s) {
+  all_members(to, s.n, s.k);
+}
+template <class To, Like<Reflectance> S>
+void members(To& to, S& s) {
+  all_members(to, s.spectrum);
+}
+template <class To, Like<Citation> S>
+void members(To& to, S& s) {
+  all_members(to, s.authors, s.title, s.published_in, s.year, s.doi, s.url, s.licence, s.via);
+}
+template <class To, Like<Dataset> S>
+void members(To& to, S& s) {
+  all_members(to, s.id, s.optics, s.origin, s.sample, s.temperature_kelvin, s.axis, s.citation, s.flags,
+              s.note, s.doubtful);
+}
+template <class To, Like<AliasNote> S>
+void members(To& to, S& s) {
+  all_members(to, s.alias, s.note);
+}
+template <class To, Like<Material> S>
+void members(To& to, S& s) {
+  all_members(to, s.id, s.name, s.aliases, s.alias_notes, s.bodies, s.body, s.material_class, s.class_by,
+              s.group, s.common, s.datasets, s.preferred, s.preferred_reason);
+}
+
+}  // namespace etak
