@@ -196,6 +196,7 @@ Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : f
         const int why = errno;
         sys::remove_folder_in(folder, candidate.c_str());
         errno = why;
+        if (why == ENOENT) continue;  // another run has taken it for remains
       }
     }
     if (!open_) return;
