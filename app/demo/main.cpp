@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // etak-start-page DEMO: writes DEMO/index.html, the first page of `./dev demo`. DEMO holds scene/ as
-// etak-demo-scene makes it and atlas/ as etak pack makes it; other pages of the demo that are there get cards.
-// Not installed.
+// etak-demo-scene makes it, with mistakes/, and atlas/ as etak pack makes it; other pages of the demo that are there
+// get cards. Not installed.
 #include <algorithm>
 #include <cstdio>
 #include <exception>

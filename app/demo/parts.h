@@ -8,11 +8,11 @@ namespace etak::demo {
 
 // The parts of the start page, each of which fills its fields of the page's data.
 
-/// The spheres of 24 materials with their values for programs, and the chart of five ways to compute F.
+/// The spheres of 24 materials with their values for programs, and the chart of ways to compute F.
 void add_spheres(const MaterialLibrary& library, unsigned threads, StartPageData& data);
 
-/// The demo's scene and atlas, and what the validator finds in both. The working folder is that of the demo,
-/// which holds scene/manifest.json and atlas/layout.json.
+/// The demo's scene and atlas, and what the validator finds in materials with mistakes. The working folder is that
+/// of the demo, which holds scene/manifest.json, atlas/layout.json and mistakes/.
 void add_scene(unsigned threads, StartPageData& data);
 
 /// The other pages of the demo that are there.

@@ -19,7 +19,7 @@ namespace {
 
 // Pictures are shown with 3 pixels for 8 texels on a side.
 constexpr int shown_pixels = 3, shown_texels = 8;
-constexpr std::size_t most_findings = 6;
+constexpr std::size_t most_findings = 8;
 
 std::string small_png(const Image8& picture, int most) {
   PngOptions options;
@@ -80,7 +80,7 @@ void add_after(StartPageData& data) {
 // The worst finding of each rule, the worst rules first.
 void add_findings(unsigned threads, StartPageData& data) {
   ValidationRequest request;
-  request.paths = {"scene", "atlas"};
+  request.paths = {"mistakes"};
   request.threads = threads;
   const Settings settings = request.config.settings;
   const ValidationReport report = validate(std::move(request));
@@ -104,9 +104,9 @@ void add_findings(unsigned threads, StartPageData& data) {
       }
 }
 
-// The first models and materials of the contact sheet.
-std::string top_of_models() {
-  const Image8 sheet = read_picture("models.png");
+// The first models and materials of a contact sheet.
+std::string top_of_models(const std::string& file) {
+  const Image8 sheet = read_picture(file);
   Image8 top(sheet.width / 2, std::min(sheet.height, sheet.width / 4), sheet.channels);
   paste(sheet, 0, 0, top);
   return small_png(top, 560);
@@ -126,17 +126,22 @@ void add_cards(StartPageData& data) {
        "Every material with spheres, spectra, datasets, their spread and sources.", ""},
       {"report/report.html", "Error against run time", "What every shortcut costs and saves, measured here.",
        ""},
-      {"models.png", "Every shading model",
-       "Eight materials under each model, and how far each is from the exact one.", ""},
+      {"models-own.png", "Shading models",
+       "Eight materials under each model whose lobe no other one has, and how far it is from the exact one.",
+       ""},
+      {"models-ggx.png", "GGX", "The same for GGX with each Fresnel and masking term.", ""},
+      {"models-lobes.png", "Other lobes", "The same for Beckmann, Phong, ABC and shifted gamma.", ""},
+      {"models-light.png", "Bodies and light",
+       "Diffuse models, hemispheres and environment alone, and three values of gloss.", ""},
       {"atlas.html", "The atlas", "Textures, layout, what was left out and what each material needs.", ""},
       {"scene-atlas.html", "The atlas of the scene",
        "The same as glTF, with islands of the texels that triangles use.", ""},
       {"findings.html", "Findings",
-       "What the validator says of the scene and its atlas, with places and fixes.", ""}};
+       "What the validator says of the mistakes, the scene and its atlas, with places and fixes.", ""}};
   for (const StartCard& card : cards) {
     if (!std::filesystem::exists(card.target)) continue;
     data.cards.push_back(card);
-    if (card.target == "models.png") data.cards.back().picture = top_of_models();
+    if (card.target.ends_with(".png")) data.cards.back().picture = top_of_models(card.target);
   }
 }
 

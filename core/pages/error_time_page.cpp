@@ -11,12 +11,15 @@ namespace etak {
 namespace {
 
 constexpr std::string_view report_css = R"css(
-header, main { max-width: 1340px; }
 .scatters { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 500px), 1fr)); gap: 1.2rem 1.5rem;
   margin-top: 1.2rem; }
 .scatters figure { max-width: 760px; }
 .scatter { display: block; width: 100%; height: auto; }
 .scatters figcaption { font-size: 1.05rem; font-weight: 600; color: var(--ink); margin: 0 0 0.3rem; }
+.scatters figcaption a { font-size: 0.87rem; font-weight: 400; margin-left: 0.6rem; }
+.tables { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 1050px), 1fr)); gap: 0 1.5rem; }
+.tables > * { min-width: 0; }
+.tables > :has(.many) { grid-column: 1 / -1; }
 .key-names { columns: 15rem; font-size: 0.8rem; color: var(--ink-soft); margin: 0.3rem 0 0; padding-left: 1.8rem; }
 .numbers { font-size: 1rem; margin: 1.6rem 0 0.4rem; }
 main article > h2 { margin-top: 0.4rem; }
@@ -147,7 +150,7 @@ void append_table(std::string& out, const ErrorTimeFamily& family, const ErrorTi
   if (timed)
     append(out, " ", std::to_string(count_of(table, Verdict::unbeaten)), " unbeaten, ",
            std::to_string(count_of(table, Verdict::not_settled)), " not settled",
-           truths ? "; only those of the same lobe or size are compared" : "",
+           truths ? "; only those with the same entry in \"Compared among\" are compared" : "",
            ". Times are medians, quartiles below.");
   append(out, "</caption><thead><tr><th>No.</th><th>Way</th>", truths ? "<th>Compared among</th>" : "");
   for (const ErrorMetric& metric : table.metrics)
@@ -216,7 +219,8 @@ void append_overview(std::string& out, std::span<const ErrorTimeFamily> families
       std::to_string(settled + open), " timed ways have a settled verdict, ", std::to_string(open),
       open == 1 ? " has" : " have",
       " not: more rounds would be needed to tell them from a way that is closer. A tenth of the time counts "
-      "as no difference.</p></article>");
+      "as no difference. Settled covers what varied while this run was made, on this machine and with this "
+      "build: between two builds, ratios of times have moved by 18 %.</p></article>");
 }
 
 void append_figures(std::string& out, const ErrorTimeFamily& family) {
@@ -224,8 +228,12 @@ void append_figures(std::string& out, const ErrorTimeFamily& family) {
   for (const ErrorTimeTable& table : family.tables) {
     const std::string svg = error_time_svg(family, table);
     if (svg.empty()) continue;
-    append(out, "<figure id=\"", anchor(family, table), "\"><figcaption>", escape_html(table.title),
-           "</figcaption>", svg, "<ol class=\"key-names\">");
+    const std::string id = anchor(family, table);
+    append(out, "<figure id=\"", id, "\"><figcaption>", escape_html(table.title), " <a href=\"#", id,
+           "\">link</a>");
+    for (const std::string_view file : {"csv", "svg"})
+      append(out, "<a href=\"", id, ".", file, "\">", file, "</a>");
+    append(out, "</figcaption>", svg, "<ol class=\"key-names\">");
     for (const ErrorTimeRow& row : table.rows)
       append(out, "<li>", escape_html(row.title), row.time ? "" : " (not timed)", "</li>");
     out += "</ol></figure>";
@@ -240,10 +248,13 @@ void append_family(std::string& out, const ErrorTimeFamily& family) {
   append(out, "<p class=\"about\">Error against: ", escape_html(family.reference),
          ". Over: ", escape_html(family.grid), ".</p>");
   append_figures(out, family);
+  out += "<div class=\"tables\">";
   for (const ErrorTimeTable& table : family.tables) {
-    append(out, "<h3 class=\"numbers\">", escape_html(table.title), "</h3>");
+    append(out, "<section><h3 class=\"numbers\">", escape_html(table.title), "</h3>");
     append_table(out, family, table);
+    out += "</section>";
   }
+  out += "</div>";
   for (const std::string& note : family.notes) append(out, "<p class=\"about\">", escape_html(note), "</p>");
   out += "</article>";
 }

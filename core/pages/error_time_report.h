@@ -15,6 +15,8 @@ namespace etak {
 std::string error_time_json(const ReportHeader& header, std::span<const ErrorTimeFamily> families);
 /// A line for every metric of every row, below a line of column names; the header is not written.
 std::string error_time_csv(const ReportHeader& header, std::span<const ErrorTimeFamily> families);
+/// The same for one table.
+std::string error_time_csv(const ErrorTimeFamily& family, const ErrorTimeTable& table);
 /// A scatter plot of the metric table.metrics[table.plotted] over run time, both logarithmic, as an SVG
 /// element for an HTML page. Each dot has the number of its row, from 1, and its name where there is room
 /// beside it. Empty where no row was timed.

@@ -20,7 +20,7 @@ inline constexpr std::string_view page_css = R"css(
 html { scroll-padding-top: 1rem; }
 body { margin: 0; background: var(--page); color: var(--ink); font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Roboto,
   "Noto Sans", "DejaVu Sans", sans-serif; }
-header, main { max-width: 1280px; margin: 0 auto; padding: 0 1.25rem; }
+header, main { max-width: 1340px; margin: 0 auto; padding: 0 1.25rem; }
 header { padding-top: 2rem; }
 h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 0.5rem; }
 h2 { font-size: 1.35rem; margin: 2.5rem 0 0.5rem; }
@@ -37,7 +37,7 @@ nav { display: flex; flex-wrap: wrap; gap: 0.4rem; margin: 1rem 0 0; }
 nav a { padding: 0.15rem 0.6rem; border: 1px solid var(--line); border-radius: 1rem; background: var(--card); white-space: nowrap; }
 nav span { color: var(--ink-soft); }
 .scroll { overflow-x: auto; max-width: 100%; }
-.strip { display: block; width: 100%; min-width: 760px; height: auto; background: var(--card); border-radius: 8px; }
+.strip { display: block; width: 100%; min-width: 760px; max-width: 1700px; height: auto; background: var(--card); border-radius: 8px; }
 .strip text { font-size: 13px; fill: var(--ink-soft); font-variant-numeric: tabular-nums; }
 .strip .label { fill: var(--ink); }
 .strip .grid { stroke: var(--line); }
@@ -102,6 +102,13 @@ main:has(#summary), header:has(+ main #summary) { max-width: 1420px; }
 @media (min-width: 1460px) {
   #summary { overflow: visible; }
   .summary thead th { position: sticky; top: 0; background: var(--card); z-index: 1; }
+}
+/* Wide screens are used: two materials stand beside each other. */
+@media (min-width: 2200px) {
+  header, main, main:has(#summary), header:has(+ main #summary) { max-width: 2420px; }
+  #materials { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; align-items: start; }
+  #materials > * { min-width: 0; margin-bottom: 0; }
+  #materials > :not(article) { grid-column: 1 / -1; }
 }
 @media (max-width: 600px) {
   header, main { padding-left: 0.75rem; padding-right: 0.75rem; }

@@ -75,11 +75,12 @@ std::string start_chart(std::span<const StartPoint> points) {
     least = std::min(least, point.least_de);
     most = std::max(most, point.most_de);
   }
-  const ChartAxis x = chart_axis(shortest, longest, chart_left, chart_right);
+  // Half of the shortest time leaves room for a name at the left of its dot.
+  const ChartAxis x = chart_axis(shortest / 2, longest, chart_left, chart_right);
   const ChartAxis y = chart_axis(least, most, chart_bottom, chart_top);
   std::string out = "<svg class=\"chart\" viewBox=\"0 0 ";
   append(out, chart_place(chart_width), ' ', chart_place(chart_height),
-         "\" role=\"img\"><title>Error against time of five ways to compute reflectance</title>");
+         "\" role=\"img\"><title>Error against time of ways to compute reflectance</title>");
   append_chart_axes(out, x, y);
   for (const StartPoint& point : points) {
     const double at = x.at(point.ns), middle = y.at(point.mean_de);

@@ -7,7 +7,6 @@ namespace etak {
 
 /// Style sheet of the start page, below page_css.
 inline constexpr std::string_view start_css = R"css(
-header, main { max-width: 1720px; }
 .lead { max-width: 68ch; font-size: 1.2rem; }
 .facts { display: flex; flex-wrap: wrap; gap: 0.5rem 2.5rem; margin: 1rem 0 0; padding: 0; list-style: none; }
 .facts b { font-size: 1.7rem; font-variant-numeric: tabular-nums; }
@@ -40,7 +39,6 @@ section > p { max-width: 80ch; }
 .chart circle { fill: var(--plot-1); }
 .beside { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 460px), 1fr)); gap: 1.25rem; align-items: start; }
 .panel h3 { margin-top: 0; }
-#zone .strip { max-width: 1500px; }
 .textures { --texel: 0.26px; display: flex; flex-wrap: wrap; gap: 0.6rem; align-items: flex-end; }
 .textures img { display: block; height: auto; width: calc(var(--wide) * var(--texel)); max-width: 100%; }
 .textures figcaption { max-width: calc(var(--wide) * var(--texel)); overflow-wrap: anywhere; min-width: 4rem; }
@@ -60,7 +58,8 @@ section > p { max-width: 80ch; }
 .cards p { margin: 0; color: var(--ink-soft); }
 .cards img { display: block; width: 100%; height: 120px; object-fit: cover; object-position: top; border-radius: 4px; margin-bottom: 0.6rem; }
 @media (max-width: 600px) { .textures { --texel: 0.16px; } .panel { padding: 0.75rem; } .facts b { font-size: 1.4rem; } }
-@media (min-width: 2200px) { header, main { max-width: 2300px; } .textures { --texel: 0.34px; } }
+@media (min-width: 1400px) and (max-width: 2199px) { header, main { max-width: 1720px; } }
+@media (min-width: 2200px) { .textures { --texel: 0.34px; } }
 )css";
 
 /// Script of the start page, below copy_script: a list of programs, and a click on the spheres of a material

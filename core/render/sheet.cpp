@@ -73,7 +73,7 @@ Image beside(const Image& picture, const DifferencePicture& difference) {
   Image out(2 * picture.width, picture.height, 3, paper);
   paste(three_channels(picture), 0, 0, out);
   paste(difference.map, picture.width, 0, out);
-  const int scale = picture.width >= 96 ? 2 : 1;
+  const int scale = std::max(1, picture.width / 64);
   write_text(out, picture.width + gap, picture.height - glyph_height * scale, scale,
              "DE " + fixed(difference.mean_de, 1), ink);
   return out;
@@ -87,7 +87,7 @@ Image laid_out(const Sheet& sheet) {
   }
   std::size_t longest = 0;
   for (const std::string& row : sheet.rows) longest = std::max(longest, row.size());
-  const int scale = side_x >= 256 ? 2 : 1;
+  const int scale = std::max(1, side_x / 85);  // legible where a screen shows half of the pixels
   const int left = static_cast<int>(longest) * glyph_width * scale + 2 * gap;
   const int top = glyph_height * scale + 2 * gap;
   const auto columns = static_cast<int>(sheet.columns.size()), rows = static_cast<int>(sheet.rows.size());

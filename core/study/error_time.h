@@ -32,7 +32,8 @@ struct RunTime {
   std::vector<double> rounds_ns;  // the shortest repeat of each round; NaN: no part of that round
 };
 
-/// What the report says of a way. A way is beaten by a way to the same truth that is closer to it and takes
+/// What the report says of a way on one machine, with one build, at the clock frequencies of one run: that
+/// alone is in the rounds. From one build to another, ratios of times were seen to move by 18 %. A way is beaten by a way to the same truth that is closer to it and takes
 /// at most same_time times as long, or that is as close and faster by more than that factor. Errors within
 /// 1 % are equal, and errors below 1e-5 are none.
 enum class Verdict {

@@ -5,13 +5,27 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
 
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 
 namespace etak {
 namespace {
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"  // not all functions of the texts are used
+namespace f64 {
+#include "core/math/real_f64.h"
+
+#include "core/fresnel/dielectric.glsl"
+
+#include "core/light/clear_ball.glsl"
+
+#include "core/light/transfer.glsl"
+
+#include "core/light/tone.glsl"
+}  // namespace f64
+#pragma GCC diagnostic pop
 
 constexpr int rays_per_side = 3;  // of a pixel
 
@@ -40,11 +54,24 @@ Vec3 at_cosine(const AngleTable& table, double cosine) {
 // A point of the sphere that a sample of a pixel sees.
 struct SeenPoint {
   double cosine = 1;  // between viewer and normal
-  Vec3 light;
+  Vec3 light;         // from the mirror direction
+  Vec3 through{};     // what a clear ball would show if its surface reflected nothing
 };
 
+// The light that a clear ball bends into view at the point with that normal.
+//   eta   index of refraction
+Vec3 seen_through(const Vec3& normal, double eta, const Vec3& passing, const Environment& around,
+                  double gloss) {
+  const f64::vec3 from = f64::beyond_ball({normal[0], normal[1], normal[2]}, {0, 0, 1}, eta);
+  Vec3 out = around.specular({from.x, from.y, from.z}, gloss);
+  const double way = f64::cosine_in_ball(normal[2], eta);  // inside of the ball, in diameters
+  for (std::size_t c = 0; c < 3; ++c) out[c] *= std::pow(passing[c], way);
+  return out;
+}
+
 // The samples of the pixel in column x of row y that meet the sphere.
-std::vector<SeenPoint> samples_of(int x, int y, int side, const Environment& around, double gloss) {
+std::vector<SeenPoint> samples_of(int x, int y, int side, const Environment& around, double gloss, double eta,
+                                  const std::optional<Vec3>& passing) {
   std::vector<SeenPoint> out;
   for (int j = 0; j < rays_per_side; ++j)
     for (int i = 0; i < rays_per_side; ++i) {
@@ -54,6 +81,7 @@ std::vector<SeenPoint> samples_of(int x, int y, int side, const Environment& aro
       if (square >= 1) continue;
       const double w = std::sqrt(1 - square);
       out.push_back({w, around.specular({2 * w * u, 2 * w * v, 2 * w * w - 1}, gloss)});
+      if (passing) out.back().through = seen_through({u, v, w}, eta, *passing, around, gloss);
     }
   return out;
 }
@@ -62,18 +90,21 @@ Vec3 displayed(const std::vector<SeenPoint>& samples, const AngleTable& table, d
   Vec3 sum{};
   for (const SeenPoint& each : samples) {
     const Vec3 f = at_cosine(table, each.cosine);
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += f[c] * each.light[c];
+    for (std::size_t c = 0; c < 3; ++c)
+      sum[c] += f[c] * each.light[c] + (1 - f[c]) * (1 - f[c]) * each.through[c];
   }
-  for (double& channel : sum)
-    channel = std::clamp(exposure * channel / static_cast<double>(samples.size()), 0.0, 1.0);
-  return sum;
+  const double scale = exposure / static_cast<double>(samples.size());
+  const f64::vec3 shown = f64::tone_neutral({scale * sum[0], scale * sum[1], scale * sum[2]});
+  return {std::clamp(shown.x, 0.0, 1.0), std::clamp(shown.y, 0.0, 1.0), std::clamp(shown.z, 0.0, 1.0)};
 }
 
 }  // namespace
 
 std::vector<SphereLook> sphere_looks(const FresnelTruth& truth, std::span<const FresnelForm* const> forms,
-                                     const Environment& around, double gloss, double exposure, int side) {
+                                     const Environment& around, double gloss, double exposure, int side,
+                                     const std::optional<Vec3>& passing) {
   constexpr std::size_t all_samples = rays_per_side * rays_per_side;
+  const double eta = truth.three_wavelengths[0][1];  // of green, as the renderer takes it
   std::vector<AngleTable> tables{truth.rgb};
   for (const FresnelForm* form : forms) tables.push_back(reflectances_of(truth, *form));
   std::vector<SphereLook> out(tables.size());
@@ -81,7 +112,7 @@ std::vector<SphereLook> sphere_looks(const FresnelTruth& truth, std::span<const 
   std::size_t judged = 0;
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
-      const std::vector<SeenPoint> samples = samples_of(x, y, side, around, gloss);
+      const std::vector<SeenPoint> samples = samples_of(x, y, side, around, gloss, eta, passing);
       if (samples.empty()) continue;
       const bool whole = samples.size() == all_samples;
       judged += whole;

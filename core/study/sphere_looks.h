@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,13 +21,16 @@ struct SphereLook {
   double mean_de = 0, worst_de = 0;
 };
 
-/// The sphere of a material without a body in `around`, drawn with the exact reflectance first, then with that
-/// of each form. A pixel shows the radiance around the mirror direction, through the lobe of `gloss`, times F
-/// at the angle between viewer and normal. The light is thus the same in all pictures, and they differ by F
-/// alone.
-///   exposure   linear factor before the display's sRGB curve
+/// The sphere of a material in `around`, drawn with the exact reflectance first, then with that of each form. A
+/// pixel shows the radiance around the mirror direction, through the lobe of `gloss`, times F at the angle
+/// between viewer and normal. A clear ball shows besides what it bends into view (core/light/clear_ball.glsl),
+/// times (1 - F)^2. The light is thus the same in all pictures, and they differ by F alone. They go through the
+/// tone curve of Khronos PBR Neutral, which keeps the hue of what is too bright for a display.
+///   exposure   linear factor before the tone curve
 ///   side       of the square pictures, in pixels; the sphere touches all four sides
+///   passing    SurfaceValues::passing of a clear body; none: nothing is seen through the sphere
 std::vector<SphereLook> sphere_looks(const FresnelTruth& truth, std::span<const FresnelForm* const> forms,
-                                     const Environment& around, double gloss, double exposure, int side);
+                                     const Environment& around, double gloss, double exposure, int side,
+                                     const std::optional<Vec3>& passing = {});
 
 }  // namespace etak

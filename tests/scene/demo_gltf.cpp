@@ -127,7 +127,7 @@ GltfText demo_gltf(const std::string& buffer_name) {
       R"({"name": "dry stone", "normalTexture": {"index": 6}, "pbrMetallicRoughness": {"baseColorTexture": {"index": 4}, "metallicFactor": 0, "roughnessFactor": 0.85}})",
       R"({"name": "dry stone again", "extensions": {"KHR_materials_ior": {"ior": 1.4}}, "pbrMetallicRoughness": {"baseColorTexture": {"index": 5}, "metallicFactor": 0, "roughnessFactor": 0.85}})",
       R"({"name": "wet stone", "normalTexture": {"index": 6}, "extensions": {"KHR_materials_pbrSpecularGlossiness": {"diffuseTexture": {"index": 8}, "specularGlossinessTexture": {"index": 7}}}, "pbrMetallicRoughness": {"baseColorTexture": {"index": 8}, "metallicFactor": 0, "roughnessFactor": 0.2}})",
-      R"({"name": "glass", "alphaMode": "BLEND", "extensions": {"KHR_materials_ior": {"ior": 1.517}}, "pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 0.08], "metallicFactor": 0, "roughnessFactor": 0}})",
+      R"({"name": "glass", "alphaMode": "BLEND", "extensions": {"KHR_materials_ior": {"ior": 1.517}}, "pbrMetallicRoughness": {"baseColorFactor": [0.05, 0.07, 0.055, 0.08], "metallicFactor": 0, "roughnessFactor": 0}})",
       R"({"name": "nobody's copper", "pbrMetallicRoughness": {"baseColorFactor": [0.96, 0.64, 0.54, 1], "metallicRoughnessTexture": {"index": 9}}})"};
 
   struct Thing {

@@ -156,11 +156,13 @@ Image8 leaf() {
       const double opacity = stalk ? 1 : 1 - step_between(-0.004, 0.004, across - half);
       const double rib = 1 - step_between(0.004, 0.012, across);
       const double side_rib = (v - across) * 11 - std::floor((v - across) * 11);
-      Rgb colour =
-          mixed({0.045, 0.16, 0.02}, {0.16, 0.3, 0.06}, rib + 0.35 * (1 - step_between(0, 0.16, side_rib)));
+      const double inside =
+          step_between(0.008, 0.06, half - across);  // ribs end before the edge, where hidden texels begin
+      Rgb colour = mixed({0.045, 0.16, 0.02}, {0.16, 0.3, 0.06},
+                         inside * (rib + 0.35 * (1 - step_between(0, 0.16, side_rib))));
       for (double& c : colour) c *= 1 + 0.4 * octaves(u, v, 5, 5, 3, 83);
       for (std::size_t c = 0; c < 3; ++c)
-        out.at(x, y)[c] = opacity > 0 ? srgb_u8(colour[c]) : std::uint8_t{0};
+        out.at(x, y)[c] = srgb_u8(colour[c]);  // goes on under alpha 0, where filters reach it
       out.at(x, y)[3] = to_code(static_cast<float>(half > 0 || stalk ? opacity : 0));
     }
   return out;
@@ -173,6 +175,32 @@ Image8 metal_rough(const Image8& gloss, bool metal) {
     out.values[3 * i + 1] = static_cast<std::uint8_t>(255 - gloss.values[i]);
     out.values[3 * i + 2] = metal ? 255 : 0;
   }
+  return out;
+}
+
+Image8 one_colour(int side, const std::array<std::uint8_t, 3>& codes) {
+  Image8 out(side, side, 3);
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = codes[i % 3];
+  return out;
+}
+
+Image8 encoded_again(const Image8& picture) {
+  Image8 out = picture;
+  for (std::uint8_t& code : out.values) code = srgb_u8(code / 255.0);
+  return out;
+}
+
+Image8 with_black_ground(const Image8& picture) {
+  Image8 out = picture;
+  for (std::size_t i = 0; i < out.pixel_count(); ++i)
+    if (out.values[4 * i + 3] == 0)
+      for (std::size_t c = 0; c < 3; ++c) out.values[4 * i + c] = 0;
+  return out;
+}
+
+Image8 brightened(const Image8& picture, double least, double most) {
+  Image8 out = picture;
+  for (std::uint8_t& code : out.values) code = srgb_u8(least + (most - least) * srgb_decode(code / 255.0));
   return out;
 }
 

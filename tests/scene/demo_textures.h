@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "core/image/image.h"
 
 // The demo's pictures, all drawn by noise.h and all periodic. Colours are sRGB codes; the rest (gloss,
@@ -21,5 +24,14 @@ Image8 leaf();  // 256, RGBA: one leaf; opacity is 0 or 255 but for its edge
 
 /// glTF's packing: roughness = 1 - gloss in G, metal in B.
 Image8 metal_rough(const Image8& gloss, bool metal);
+
+/// One colour all over, as programs export what is a number.
+Image8 one_colour(int side, const std::array<std::uint8_t, 3>& codes);
+
+// Mistakes. The same picture encoded for sRGB once more; of RGBA with black where nothing is seen; with its
+// linear values between `least` and `most`.
+Image8 encoded_again(const Image8& picture);
+Image8 with_black_ground(const Image8& picture);
+Image8 brightened(const Image8& picture, double least, double most);
 
 }  // namespace etak::demo

@@ -17,6 +17,7 @@ struct RenderArguments {
   std::string picture;    // -o
   std::string device = "auto";
   std::string ocio, display, view;
+  std::string part = "all";  // of the sheet: see draw_sheet()
   bool reference = false, sheet = false, half = false;
   int samples = 16, light_samples = 16, frames = 1;
   unsigned threads = 0;

@@ -59,7 +59,9 @@ void check_report_folder(const ReportArguments& arguments, const std::vector<Fam
     const auto is_plot = [&](const FamilyEntry& each) {
       return name.starts_with(std::string(each.id) + "-");
     };
-    if (name.ends_with(".svg") && std::any_of(entries.begin(), entries.end(), is_plot)) names.push_back(name);
+    if ((name.ends_with(".svg") || name.ends_with(".csv")) &&
+        std::any_of(entries.begin(), entries.end(), is_plot))
+      names.push_back(name);
   }
   check_folder_target(arguments.folder, names, arguments.force ? Replace::anything : Replace::nothing);
 }
@@ -145,8 +147,10 @@ int measure(ReportArguments& arguments) {
   folder.write("report.csv", error_time_csv(header, families));
   for (const ErrorTimeFamily& family : families)
     for (const ErrorTimeTable& table : family.tables)
-      if (const std::string plot = error_time_svg_file(family, table); !plot.empty())
+      if (const std::string plot = error_time_svg_file(family, table); !plot.empty()) {
         folder.write(family.id + "-" + table.id + ".svg", plot);
+        folder.write(family.id + "-" + table.id + ".csv", error_time_csv(family, table));
+      }
   folder.commit();
   remark(output, "wrote " + arguments.folder + "/report.html" + unsettled_text(families));
   return exit_ok;

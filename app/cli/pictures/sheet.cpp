@@ -39,6 +39,13 @@ SurfaceValues surface(const Column& column, Library& library, const Gloss& gloss
   return out;
 }
 
+// The part of the sheet that a model is in.
+std::string_view part_of(const Model& model) {
+  if (model.kind == ModelKind::diffuse) return "light";
+  if (model.distribution == nullptr) return "own";
+  return model.distribution->id == "ggx" ? "ggx" : "lobes";
+}
+
 }  // namespace
 
 Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
@@ -63,7 +70,11 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
     sheet.columns.emplace_back(column.label);
     surfaces.push_back(surface(column, typed.library, gloss));
   }
-  const std::size_t rows = models().size() + 5;
+  const auto wanted = [&](std::string_view part) {
+    return arguments.part == "all" || arguments.part == part;
+  };
+  std::size_t rows = wanted("light") ? 5 : 0;
+  for (const Model& model : models()) rows += wanted(part_of(model));
   Progress progress(arguments.stats, rows * surfaces.size(), "render");
   const auto drawn = [&](const SurfaceValues& values, const std::string& specular, const std::string& diffuse,
                          const LightSetup& lights, const Environment* environment) {
@@ -94,11 +105,13 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
     by_ggx_exact.push_back(drawn(each, specular_reference, "", scene.lights, around.get()));
   }
   for (const Model& model : models()) {
+    if (!wanted(part_of(model))) continue;
     const std::string id(model.id);
     const bool diffuse = model.kind == ModelKind::diffuse;
     add_row(id, diffuse ? "" : id, diffuse ? id : "", scene.lights, around.get(),
             diffuse ? &by_lambert : &by_ggx_exact);
   }
+  if (!wanted("light")) return laid_out(sheet);
   LightSetup hemispheres;
   hemispheres.hemispheres =
       scene.lights.hemispheres ? scene.lights.hemispheres : default_lights().hemispheres;

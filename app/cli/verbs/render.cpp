@@ -32,6 +32,12 @@ void add_render(CommandLine& line) {
       .range(0, 1 << 20)
       .show_default();
   verb.flag("--sheet", arguments->sheet, "contact sheet: eight materials under every model (no SUBJECT)");
+  verb.option(
+          "--part", arguments->part,
+          "of --sheet: models whose lobe no other has (own), those of GGX, those of other lobes, or diffuse "
+          "models and light")
+      .one_of({"all", "own", "ggx", "lobes", "light"})
+      .show_default();
   verb.option("--display", arguments->display,
               "OpenColorIO display for the 8-bit picture, in place of --tone and --transfer");
   verb.option("--view", arguments->view, "OpenColorIO view of the display");

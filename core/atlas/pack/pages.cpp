@@ -146,6 +146,9 @@ std::optional<MadePages> make_pages(const PackOptions& options, PackSource& sour
     return [&, p](Texture texture) { return made.folder->path_until_commit(page_file(p, texture, "png")); };
   };
   const int pages = static_cast<int>(plan.pages.size());
+  // Where texels of a page teach that other regions are needed, those of the other pages are still looked at:
+  // the next layout then knows what all of them teach.
+  bool settled = true;
   for (int p = 0; p < pages; ++p) {
     const PlannedPage& page = plan.pages[static_cast<std::size_t>(p)];
     const int levels = decision.levels[static_cast<std::size_t>(p)].kept;
@@ -160,15 +163,16 @@ std::optional<MadePages> make_pages(const PackOptions& options, PackSource& sour
                     learned);
       });
       progress.written(2 * PackProgress::texels_of(page));
-      if (!learn(learned, options, source, decision)) return std::nullopt;
-      if (options.check.page && made.folder)
+      settled = learn(learned, options, source, decision) && settled;
+      if (settled && options.check.page && made.folder)
         stages.timed("validate",
                      [&] { made.good = options.check.written_page(table(), p, path_of(p)) && made.good; });
       continue;
     }
     pixels.start(page, levels);
     stages.timed("texels", [&] { composer.texels(p, pixels, learned, region_done); });
-    if (!learn(learned, options, source, decision)) return std::nullopt;
+    settled = learn(learned, options, source, decision) && settled;
+    if (!settled) continue;
     stages.timed("gutters and mips", [&] { composer.mips(p, pixels); });
     check(p);
     if (!made.folder) continue;
@@ -179,6 +183,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, PackSource& sour
       write_floats(*made.folder, p, compose_floats(p, levels, materials, regions, plan, compose), options);
     });
   }
+  if (!settled) return std::nullopt;
   check(pages);
   return made;
 }

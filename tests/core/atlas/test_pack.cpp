@@ -182,3 +182,23 @@ TEST_CASE("the gutter repeats what was bled, of converted pictures too") {
       }
   }
 }
+
+TEST_CASE("a layout settles however many of its pages teach that less is needed") {
+  const TempFolder folder;
+  std::vector<std::string> entries;
+  PackOptions options;
+  options.layout.page = 64;  // each picture has a page of its own
+  for (unsigned i = 0; i < 8; ++i) {
+    const std::string name = "m" + std::to_string(i);
+    add_noise_material(folder, name, 64, 64, 4 * i);
+    save_png(folder.file(name + "_specular.png"), Image8(64, 64, 3, 50));
+    save_png(folder.file(name + "_gloss.png"), Image8(64, 64, 1, 99));
+    entries.push_back(manifest_entry(name));
+  }
+  const PackResult result = pack_text(folder, manifest_of(entries), options);
+  CHECK(result.passes <= 3);
+  for (const AtlasPage& page : packed_layout(folder).pages) {
+    CHECK_FALSE(page.files[static_cast<std::size_t>(Texture::diffuse_alpha)].empty());
+    CHECK(page.files[static_cast<std::size_t>(Texture::specular_gloss)].empty());
+  }
+}

@@ -59,6 +59,13 @@ TEST_CASE("the start page shows spheres with their errors, values to copy, texel
   CHECK(contains(page, "prefers-color-scheme: dark"));
 }
 
+TEST_CASE("found 2.3: F82 is said to keep the colour of metals, and what an eye can tell has its citation") {
+  const std::string page = page_of_samples();
+  CHECK(contains(page, "F82, which keeps the colour of metals near the rim"));
+  CHECK(contains(page, "of clear materials is by the exact form from F0"));
+  CHECK(contains(page, "href=\"https://doi.org/10.1111/jerd.12149\""));
+}
+
 TEST_CASE("only a difference that can be seen is marked") {
   const std::string page = page_of_samples();
   CHECK(count_of(page, "<figure class=\"seen\">") == 1);

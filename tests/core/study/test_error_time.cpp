@@ -206,6 +206,23 @@ TEST_CASE(
   CHECK(contains(file, "5  truth (not timed)"));
 }
 
+TEST_CASE("each figure has a link of its own and its CSV") {
+  const auto one = family();
+  const std::string page = error_time_page({}, std::vector{one});
+  CHECK(contains(page, "<a href=\"#fresnel-metals\">link</a>"));
+  CHECK(contains(page, "<a href=\"fresnel-metals.csv\">csv</a>"));
+  CHECK(contains(page, "<a href=\"fresnel-metals.svg\">svg</a>"));
+  CHECK(error_time_csv(one, one.tables[0]) == error_time_csv({}, std::vector{one}));
+  auto two = one;
+  two.tables.push_back(one.tables[0]);
+  two.tables[1].id = "others";
+  CHECK(!contains(error_time_csv(two, two.tables[0]), "others"));
+}
+
+TEST_CASE("found 3.6: the page says what a settled verdict covers") {
+  CHECK(contains(error_time_page({}, std::vector{family()}), "on this machine and with this build"));
+}
+
 TEST_CASE("equal values give equal bytes in every form, and names are escaped") {
   const std::vector<ErrorTimeFamily> families{family()};
   const ReportHeader header{"1", "abc", "cpu", "", "gcc", "-O3", 2, 31, 0.3, "quick"};

@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <set>
 
+#include "core/material/f0.h"
+#include "core/material/library.h"
 #include "core/study/families/families.h"
 #include "tests/core/study/table.h"
 #include "tests/support.h"
@@ -82,7 +85,6 @@ TEST_CASE("quadrature: errors shrink with the step, auto keeps its bound, stiff 
   // The bound is of X, Y, Z; sRGB's matrix makes up to three times as much of it.
   CHECK(most("auto-1e-05") < 4e-5);
   CHECK(most("auto-0.001") < 4e-3);
-  CHECK(test::table(family, "pages").rows.size() == library.rows.size());
 
   const ErrorTimeTable& stiff = test::table(family, "stiff");
   CHECK(error(stiff, "exact", "max") < 1e-8);
@@ -99,6 +101,21 @@ TEST_CASE("quadrature: errors shrink with the step, auto keeps its bound, stiff 
   CHECK(contains(note("1nm"), "finer than the grid"));
   CHECK(contains(note("auto-1e-05"), "exact"));
   CHECK(!contains(note("exact"), "finer than the grid"));
+}
+
+TEST_CASE("found 3.7: no table repeats the errors of another one row for row") {
+  const ErrorTimeFamily family = quadrature_family(quick());
+  for (std::size_t i = 0; i < family.tables.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto &a = family.tables[i].rows, &b = family.tables[j].rows;
+      CHECK_FALSE(std::ranges::equal(a, b, {}, &ErrorTimeRow::errors, &ErrorTimeRow::errors));
+    }
+  // With a page to be read, the quickest sum and that of 1 nm are compared with each other alone.
+  const ErrorTimeTable& library = test::table(family, "library");
+  CHECK(error(library, "20nm-page", "max_df0") == error(library, "20nm", "max_df0"));
+  CHECK(error(library, "1nm-page", "max_df0") == error(library, "1nm", "max_df0"));
+  for (const ErrorTimeRow& row : library.rows)
+    CHECK(row.truth == (row.id.ends_with("-page") ? "a page's text" : "n and k"));
 }
 
 TEST_CASE("lobes: L1 and albedo bias against the full technique, at gloss 0.75, in percent") {
@@ -229,6 +246,43 @@ TEST_CASE("Fresnel: dielectrics are exact from F0, metals best with F82 for its 
   // As the notes have it: worse than Schlick where there is Brewster's dip.
   CHECK(error(test::table(family, "dielectrics"), "f82", "max_de") >
         error(test::table(family, "dielectrics"), "schlick", "max_de"));
+}
+
+TEST_CASE(
+    "found 3.5: Fresnel's sets are whole classes that their titles name, and absorbing organics are told "
+    "of") {
+  const ErrorTimeFamily family = fresnel_family(quick());
+  const auto library = MaterialLibrary::builtin();
+  struct Group {
+    const char *id, *title;
+    std::set<std::string> classes;
+  };
+  for (const auto& [id, title, classes] : {Group{"metals", "All metals", {"metal"}},
+                                           Group{"semiconductors", "All semiconductors", {"semiconductor"}},
+                                           Group{"dielectrics",
+                                                 "All glasses, salts, gems, liquids and plastics",
+                                                 {"glass", "salt", "gem", "liquid", "plastic"}},
+                                           Group{"organics", "All organic materials", {"organic"}}}) {
+    INFO(id);
+    const ErrorTimeTable& t = test::table(family, id);
+    CHECK(t.title.starts_with(title));
+    std::set<std::string> expected, seen;
+    for (std::size_t i = 0; i < library.ids().size(); ++i) {
+      const Material material = library.at(i);
+      const Optics& optics = material.preferred_dataset().optics;
+      if (classes.contains(material.material_class) && std::holds_alternative<OpticalConstants>(optics) &&
+          !F0Solver({}).solve(optics).refused())
+        expected.insert(material.id);
+    }
+    for (const ErrorPoint& point : t.rows[0].points) seen.insert(point.material);
+    CHECK(seen == expected);
+  }
+  const ErrorTimeTable& dielectrics = test::table(family, "dielectrics");
+  CHECK(error(dielectrics, "schlick", "max_abs") == Approx(0.110).margin(5e-4));
+  CHECK(error(dielectrics, "schlick", "max_de") == Approx(3.91).margin(0.005));
+  CHECK(error(test::table(family, "organics"), "from_f0", "max_abs") == Approx(0.08).margin(0.005));
+  CHECK(contains(family.advice, "squaraine"));
+  CHECK_FALSE(contains(family.advice, "nothing can tell"));
 }
 
 TEST_CASE("found 2.1: Fresnel errors are of sound data, material by material; doubtful data stand apart") {
