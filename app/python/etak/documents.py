@@ -76,16 +76,19 @@ class Value(SimpleNamespace):
     if not TYPE_CHECKING:  # to which a misspelt attribute is a mistake
 
         def __getattr__(self, name: str) -> Any:
-            """An attribute when it is first asked for, because reports are large."""
+            """An attribute, made when it is asked for, because reports are large."""
             if name not in self._attributes:
                 raise AttributeError(f"etak.{type(self).__name__} has no attribute {name}")
             member, form = self._attributes[name]
             said = self.__dict__["_said"]
-            self.__dict__[name] = value = form(said.get(member) if member else said)
-            return value
+            return form(said.get(member) if member else said)
 
     def _state(self) -> Any:
         """What a pickle holds."""
+        return self.__dict__["_said"]
+
+    def _key(self) -> Any:
+        """What makes a difference to another value."""
         return self.__dict__["_said"]
 
     def __reduce__(self) -> Any:
@@ -104,10 +107,10 @@ class Value(SimpleNamespace):
     __delattr__ = __setattr__
 
     def __eq__(self, other: object) -> bool:
-        return self is other or (type(self) is type(other) and bool(self._state() == other._state()))  # type: ignore
+        return self is other or (type(self) is type(other) and bool(self._key() == other._key()))  # type: ignore
 
     def __hash__(self) -> int:  # type: ignore[override]  # a SimpleNamespace can be changed
-        return hash(repr(self._state()))
+        return hash(repr(self._key()))
 
 
 @final
@@ -124,13 +127,14 @@ class Finding(Value):
     pointer: str = _said("pointer", "JSON pointer, for materials and scenes.")
     box: Optional[Tuple[int, int, int, int]] = _said(
         "bbox", "(x, y, width, height) in texels, or None.", lambda box: box and tuple(box))
-    uv: Optional[List[float]] = _said("uv", "[left, top, right, bottom], or None.")
+    uv: Optional[List[float]] = _said("uv", "[left, top, right, bottom], or None.", lambda uv: uv and list(uv))
     area: int = _said("areaPx", "In texels.")
     area_share: float = _said("areaShare", "Of the tile.", float)
     linear: Optional[List[float]] = _said(
         "value", "The linear colour that was found, or None.",
         lambda found: found and found["linear"] and list(map(float, found["linear"])))  # infinity and NaN are words
-    byte: Optional[List[int]] = _said("value", "Its codes, or None.", lambda found: found and found["byte"])
+    byte: Optional[List[int]] = _said(
+        "value", "Its codes, or None.", lambda found: found and found["byte"] and list(found["byte"]))
     luminance: Optional[float] = _said(
         "value", "Of it, or None.", lambda found: None if not found or found["Y"] is None else float(found["Y"]))
     value: str = _said("found", 'What was found: "F0 0.22".')
@@ -174,7 +178,7 @@ class CheckedFile(Value):
         "", "In texels; (0, 0) for what is no picture.", lambda file: (file["width"], file["height"]))
     roles: Dict[str, str] = _said(
         "roles", "What each file was taken for.", lambda rows: {_text(each["file"]): each["role"] for each in rows})
-    counts: Dict[str, int] = _said("stats", "Exact counts of texels.", lambda stats: stats["counts"])
+    counts: Dict[str, int] = _said("stats", "Exact counts of texels.", lambda stats: dict(stats["counts"]))
     readable: bool = _said("unreadable", "Whether it could be read.", lambda unreadable: not unreadable)
     findings: List[Finding] = _said("findings", "In the order of rules.", lambda rows: list(map(Finding._restore, rows)))
 
@@ -196,18 +200,23 @@ class Report(Value):
     unknown: List[str] = _said("notRecognised", "Pictures whose names tell no role.", _texts)
     verdict: str = _said("verdict", "One line.")
     _forms: Any = _said("forms", "A function that writes the report in a form, or the forms by their names.")
-    _files: List[CheckedFile] = _said(
-        "forms", "They, as they are read.", lambda forms: list(map(CheckedFile._restore, _json.loads(_form(forms, "files")))))
 
     @property
     def files(self) -> List[CheckedFile]:
         """What was checked."""
-        return list(self._files)
+        return list(self._read("_files"))
 
     @property
     def findings(self) -> List[Finding]:
         """All of them, in the order of files."""
-        return [each for file in self.files for each in file.findings]
+        return list(self._read("_findings"))
+
+    def _read(self, what: str) -> List[Any]:
+        if what not in self.__dict__:
+            files = list(map(CheckedFile._restore, _json.loads(_form(self._forms, "files"))))
+            self.__dict__.update(_files=files, _findings=[each for file in files for each in file.findings])
+        read: List[Any] = self.__dict__[what]
+        return read
 
     def form(self, format: str) -> str:
         """As text, json, sarif, junit, github or csv."""
@@ -218,14 +227,17 @@ class Report(Value):
     def _state(self) -> Dict[str, Any]:
         return {**super()._state(), "forms": {name: _form(self._forms, name) for name in (*_FORMS, "files")}}
 
+    def _key(self) -> Any:
+        return {**super()._key(), "forms": _form(self._forms, "files")}
+
     def __len__(self) -> int:
-        return sum(len(file.findings) for file in self.files)
+        return len(self._read("_findings"))
 
     def __iter__(self) -> Iterator[Finding]:
-        return iter(self.findings)
+        return iter(self._read("_findings"))
 
     def __getitem__(self, index: int) -> Finding:
-        return self.findings[index]
+        return self._read("_findings")[index]  # type: ignore[no-any-return]
 
     def __str__(self) -> str:
         return self.form("text").rstrip("\n")
@@ -240,8 +252,8 @@ class Packed(Value):
 
     input: str = _said("input", "As the caller named it.")
     output: str = _said("output", "The folder.")
-    files: List[str] = _said("files", "That were written, in the folder.")
-    remarks: List[str] = _said("remarks", "What should be known of the result.")
+    files: List[str] = _said("files", "That were written, in the folder.", list)
+    remarks: List[str] = _said("remarks", "What should be known of the result.", list)
     up_to_date: bool = _said("up_to_date", "It was in place already.")
     dry_run: bool = _said("dry_run", "Nothing was written.")
     materials: int = _said("materials", "Their number.")
@@ -287,7 +299,7 @@ class Choice(Value):
     model_values: List[float] = _said("values", "Its parameters.", lambda values: list(map(float, values)))
     alpha: float = _said("values", "Width of the lobe.", lambda values: float(values[-1]))
     textured: bool = _said("textured", "Whether it has a texture of more than one colour.")
-    defines: List[str] = _said("defines", "Of the specialised shader.")
+    defines: List[str] = _said("defines", "Of the specialised shader.", list)
     error: float = _said(
         "", "The largest of all choices together, in the unit of the budget.",
         lambda said: float(max(said["fresnel_error"], said["picture_error"], said["integration_error"])))
@@ -305,7 +317,7 @@ class Choice(Value):
 class Choices(Value):
     """What choose() found: a sequence, one for each material."""
 
-    remarks: List[str] = _said("remarks", "What should be known of it.")
+    remarks: List[str] = _said("remarks", "What should be known of it.", list)
     scene: str = _said("scene", "Empty: materials of the library.")
     _choices: List[Choice] = _said("choices", "They themselves.", lambda rows: list(map(Choice._restore, rows)))
     _json: str = _said("json", "They as a document.")
