@@ -19,20 +19,11 @@
 namespace etak::python {
 namespace {
 
-// The keywords of a dictionary that are settings; others are the fault of etak/__init__.py.
-template <class Settings>
-void set_texts(const py::dict& given, Settings& out,
-               std::initializer_list<std::pair<const char*, std::string Settings::*>> members) {
-  for (const auto& [name, member] : members)
-    if (given.contains(name) && !given[name].is_none()) out.*member = text_of(given[name], name);
-}
-
 // The setting as a table of the caller's: (wavelength, values), the values with `columns` columns. They come back on the
 // reference grid, 0 outside of the table. Nothing where the setting is None or a word.
-std::optional<std::vector<std::array<double, grid_size>>> own_table(const py::dict& given, const char* name,
+std::optional<std::vector<std::array<double, grid_size>>> own_table(const Keywords& given, const char* name,
                                                                     std::size_t columns) {
-  if (!given.contains(name)) return std::nullopt;
-  const py::object value = given[name];
+  const py::object value = given.at(name);
   if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value)) return std::nullopt;
   if (py::len(value) != 2)
     throw Error::at(name, "a list of " + std::to_string(py::len(value)), "(wavelength, values)");
@@ -62,41 +53,36 @@ std::optional<std::vector<std::array<double, grid_size>>> own_table(const py::di
 
 }  // namespace
 
-GivenF0Settings f0_settings(const py::dict& given) {
+GivenF0Settings f0_settings(const Keywords& given) {
   GivenF0Settings out;
-  using S = F0Settings;
   if (const auto table = own_table(given, "observer", 3)) {
     std::array<std::array<double, 3>, grid_size> rows{};
     for (std::size_t i = 0; i < grid_size; ++i) rows[i] = {(*table)[0][i], (*table)[1][i], (*table)[2][i]};
     out.own_observer = own_observer(rows);
   } else {
-    set_texts<S>(given, out, {{"observer", &S::observer}});
+    out.observer = given.text("observer");
   }
   if (const auto table = own_table(given, "illuminant", 1))
     out.own_illuminant = own_illuminant(table->front());
   else
-    set_texts<S>(given, out, {{"illuminant", &S::illuminant}});
-  set_texts<S>(given, out,
-               {{"interpolation", &S::interpolation},
-                {"method", &S::method},
-                {"integration_bound", &S::integration_bound},
-                {"space", &S::space},
-                {"ocio", &S::ocio},
-                {"outside", &S::outside}});
-  if (given.contains("allow_extrapolation"))
-    out.allow_extrapolation = given["allow_extrapolation"].cast<bool>();
+    out.illuminant = given.text("illuminant");
+  out.interpolation = given.text("interpolation");
+  out.method = given.text("method");
+  out.integration_bound = given.text("integration_bound");
+  out.space = given.text("space");
+  out.ocio = given.text("ocio");
+  out.outside = given.text("outside");
+  out.allow_extrapolation = given.yes("allow_extrapolation");
   return out;
 }
 
-TableSettings table_settings(const py::dict& given) {
+TableSettings table_settings(const Keywords& given) {
   TableSettings out;
-  using S = TableSettings;
-  set_texts<S>(given, out,
-               {{"unit", &S::unit},
-                {"columns", &S::columns},
-                {"duplicates", &S::duplicates},
-                {"material_class", &S::material_class},
-                {"origin", &S::origin}});
+  out.unit = given.text("unit");
+  out.columns = given.text("columns");
+  if (!given.at("duplicates").is_none()) out.duplicates = given.text("duplicates");
+  out.material_class = given.text("material_class");
+  out.origin = given.text("origin");
   return out;
 }
 
@@ -181,21 +167,21 @@ std::string text_of_answer(const F0Answer& answer) {
   return out;
 }
 
-F0Words words_of(const F0Answer& answer) {
-  if (!answer.solver) return answer.words;
-  const F0Options& options = answer.solver->options();
-  return {space_name(options), policy(options), text_of_answer(answer), f0_json({&answer.row, 1}, options),
-          spread_of(answer)};
-}
-
 std::string space_of(const F0Answer& answer) {
   return answer.solver ? space_name(answer.solver->options()) : answer.words.space;
 }
 
-std::vector<std::string> flags_of(const F0Result& result) {
-  std::vector<std::string> out;
-  result.flags.for_each([&](Flag flag) { out.emplace_back(name(flag)); });
-  return out;
+std::string policy_of(const F0Answer& answer) {
+  return answer.solver ? policy(answer.solver->options()) : answer.words.policy;
+}
+
+std::string json_of(const F0Answer& answer) {
+  return answer.solver ? f0_json({&answer.row, 1}, answer.solver->options()) : answer.words.json;
+}
+
+F0Words words_of(const F0Answer& answer) {
+  if (!answer.solver) return answer.words;
+  return {space_of(answer), policy_of(answer), text_of_answer(answer), json_of(answer), spread_of(answer)};
 }
 
 std::string repr_of(const F0Answer& answer) {
@@ -217,8 +203,8 @@ std::string html_of(const F0Answer& answer) {
 std::vector<F0Answer> answers(const std::vector<py::object>& materials, const std::string& dataset,
                               bool axis_average, const py::dict& given, const Library& library, int threads) {
   const std::vector<AskedMaterial> asked = asked_materials(materials, dataset);
-  const GivenF0Settings settings = f0_settings(given);
-  const TableSettings tables = table_settings(given);
+  const GivenF0Settings settings = f0_settings({given});
+  const TableSettings tables = table_settings({given});
   LongWork work;
   return work.unlocked([&] {
     const auto solver = solver_of(settings, library);
@@ -237,26 +223,114 @@ std::vector<F0Answer> answers(const std::vector<py::object>& materials, const st
   });
 }
 
+// ---- what Python sees of it
+
+template <class Value>
+auto of_row(Value F0Row::*member) {
+  return [member](const F0Answer& a) { return a.row.*member; };
+}
+template <class Value>
+auto of_result(Value F0Result::*member) {
+  return [member](const F0Answer& a) { return a.result().*member; };
+}
+template <class Color>
+auto color_of(Color F0Result::*member) {
+  return [member](const F0Answer& a) { return array_of_rgb(a.result().*member); };
+}
+auto color_of(std::optional<LinearRgb> F0Result::*member) {
+  return [member](const F0Answer& a) {
+    const std::optional<LinearRgb>& color = a.result().*member;
+    return color ? std::optional(array_of_rgb(*color)) : std::nullopt;
+  };
+}
+template <class Value>
+auto of_coverage(Value Coverage::*member) {
+  return [member](const F0Answer& a) { return a.result().coverage.*member; };
+}
+
+std::optional<std::string> zone_of(const F0Answer& answer) {
+  const auto& zone = answer.result().zone;
+  return zone ? std::optional<std::string>(name(*zone)) : std::nullopt;
+}
+
+py::dict meanings_of(const F0Answer& answer) {
+  py::dict out;
+  answer.result().flags.for_each(
+      [&](Flag flag) { out[py::str(std::string(name(flag)))] = std::string(meaning(flag)); });
+  return out;
+}
+
+void add_spread(py::module_& module) {
+  py::class_<Spread> spread(module, "Spread", "How far the published datasets of a material disagree.");
+  be_value(
+      spread, [](const Spread& s) { return py::make_tuple(bytes_of(s)); }, &from_bytes<Spread>);
+  const auto get = attributes_of(spread);
+  get("count", "Datasets that were not refused.", &Spread::count);
+  get("least", "Per channel.", [](const Spread& s) { return array_of_rgb(s.least); });
+  get("most", "Per channel.", [](const Spread& s) { return array_of_rgb(s.most); });
+  get("least_hex", "In 8-bit sRGB.", [](const Spread& s) { return hex(s.least8); });
+  get("most_hex", "In 8-bit sRGB.", [](const Spread& s) { return hex(s.most8); });
+  spread.def("__repr__", [](const Spread& s) {
+    return "<etak.Spread of " + std::to_string(s.count) + (s.count == 1 ? " dataset: " : " datasets: ") +
+           hex(s.least8) + " to " + hex(s.most8) + ">";
+  });
+}
+
+void add_origin(const auto& get) {
+  get("name", "What was asked for: \"gold\", or the path of a file.", of_row(&F0Row::path));
+  get("material_name", "\"Gold\"; empty for bare files.", of_row(&F0Row::name));
+  get("material_class", "\"metal\"; empty for bare files.", of_row(&F0Row::material_class));
+  get("dataset", "Its id; empty for bare files.", of_row(&F0Row::dataset));
+  get("citation", "Where the data are from; empty: not known.", of_row(&F0Row::source));
+  get("kind", "\"measured\", \"fit\", \"computed\"; empty: not known.", of_row(&F0Row::kind));
+  get("doubt", "Why the dataset is doubtful; empty: nothing says so.", of_row(&F0Row::doubt));
+  get("alias_note", "What must be said of the name that was asked for.", of_row(&F0Row::alias_note));
+  get("policy", "What the numbers were computed by.", &policy_of);
+  get("spread", "Of all datasets of the material; None for a file without a material.", &spread_of);
+}
+
+void add_color(const auto& get) {
+  get("space", "The space of rgb.", &space_of);
+  get("rgb", "Linear, in `space`; never clipped.", color_of(&F0Result::linear));
+  get("srgb", "Linear sRGB; never clipped.", color_of(&F0Result::srgb_linear));
+  get("xyz", "Y = 1 for a perfect reflector.", color_of(&F0Result::xyz));
+  get("rgb8", "8-bit sRGB, clipped.", [](const F0Answer& a) {
+    const Srgb8& c = a.result().srgb8;
+    return std::tuple(int{c.r}, int{c.g}, int{c.b});
+  });
+  get("hex", "8-bit sRGB: \"#ffe49c\".", [](const F0Answer& a) { return hex(a.result().srgb8); });
+  get("luminance", "Y.", of_result(&F0Result::luminance));
+  get("f82", "Reflectance at cos 1/7, in `space`; None for reflectance data.", color_of(&F0Result::f82));
+  get("f82_tint", "f82 divided by Schlick's form there; None for reflectance data.",
+      color_of(&F0Result::f82_tint));
+  get("zone",
+      "Luminance against the forbidden zone, 0.20 to 0.45: \"below\", \"inside\", \"above\"; None for "
+      "surfaces.",
+      &zone_of);
+  get("gamut_excess", "How far rgb is above 1 (positive) or below 0 (negative).",
+      [](const F0Answer& a) { return array_of(a.result().gamut_excess); });
+}
+
+void add_data(const auto& get) {
+  get("flags", "What was found in data and result, by name.",
+      [](const F0Answer& a) { return flag_names(a.result().flags); });
+  get("flag_meanings", "Those flags, each with a sentence.", &meanings_of);
+  get("coverage", "Share of the visible weight that the data hold: the least of X, Y and Z.",
+      [](const F0Answer& a) { return a.result().coverage.least(); });
+  get("coverage_xyz", "Of X, Y and Z.",
+      [](const F0Answer& a) { return array_of(a.result().coverage.weight); });
+  get("range", "First and last wavelength of the data, in nm.",
+      [](const F0Answer& a) { return std::pair(a.result().coverage.first_nm, a.result().coverage.last_nm); });
+  get("samples", "Rows of the data within 400 to 700 nm; 0 for a formula.",
+      of_coverage(&Coverage::samples_400_700));
+  get("largest_gap", "Between rows within 400 to 700 nm, in nm; 0 for a formula.",
+      of_coverage(&Coverage::largest_gap_nm));
+}
+
 }  // namespace
 
 void add_f0(py::module_& module) {
-  py::class_<Spread> spread_type(module, "Spread", "How far the published datasets of a material disagree.");
-  be_value(
-      spread_type, [](const Spread& s) { return py::make_tuple(bytes_of(s)); }, &from_bytes<Spread>);
-  spread_type.def_readonly("count", &Spread::count, "Datasets that were not refused.")
-      .def_property_readonly(
-          "least", [](const Spread& s) { return array_of_rgb(s.least); }, "Per channel.")
-      .def_property_readonly(
-          "most", [](const Spread& s) { return array_of_rgb(s.most); }, "Per channel.")
-      .def_property_readonly(
-          "least_hex", [](const Spread& s) { return hex(s.least8); }, "In 8-bit sRGB.")
-      .def_property_readonly(
-          "most_hex", [](const Spread& s) { return hex(s.most8); }, "In 8-bit sRGB.")
-      .def("__repr__", [](const Spread& s) {
-        return "<etak.Spread of " + std::to_string(s.count) + (s.count == 1 ? " dataset: " : " datasets: ") +
-               hex(s.least8) + " to " + hex(s.most8) + ">";
-      });
-
+  add_spread(module);
   py::class_<F0Answer> f0(module, "F0",
                           "Reflectance at normal incidence as a colour, and what one must know to trust it.");
   be_value(
@@ -270,112 +344,14 @@ void add_f0(py::module_& module) {
          const std::string& json, const std::optional<Spread>& spread) {
         return F0Answer{from_bytes<F0Row>(row), nullptr, nullptr, {}, {space, policy, text, json, spread}};
       });
-  const auto get = [&](const char* name, auto read, const char* doc) {
-    f0.def_property_readonly(name, read, doc);
-  };
-  get(
-      "name", [](const F0Answer& a) { return a.row.path; },
-      "What was asked for: \"gold\", or the path of a file.");
-  get(
-      "material_name", [](const F0Answer& a) { return a.row.name; }, "\"Gold\"; empty for bare files.");
-  get(
-      "material_class", [](const F0Answer& a) { return a.row.material_class; },
-      "\"metal\"; empty for bare files.");
-  get(
-      "dataset", [](const F0Answer& a) { return a.row.dataset; }, "Its id; empty for bare files.");
-  get(
-      "citation", [](const F0Answer& a) { return a.row.source; },
-      "Where the data are from; empty: not known.");
-  get(
-      "kind", [](const F0Answer& a) { return a.row.kind; },
-      "\"measured\", \"fit\", \"computed\"; empty: not known.");
-  get(
-      "doubt", [](const F0Answer& a) { return a.row.doubt; },
-      "Why the dataset is doubtful; empty: nothing says so.");
-  get(
-      "alias_note", [](const F0Answer& a) { return a.row.alias_note; },
-      "What must be said of the name that was asked for.");
-  get("space", &space_of, "The space of rgb.");
-  get(
-      "rgb", [](const F0Answer& a) { return array_of_rgb(a.result().linear); },
-      "Linear, in `space`; never clipped.");
-  get(
-      "srgb", [](const F0Answer& a) { return array_of_rgb(a.result().srgb_linear); },
-      "Linear sRGB; never clipped.");
-  get(
-      "xyz", [](const F0Answer& a) { return array_of_rgb(a.result().xyz); },
-      "Y = 1 for a perfect reflector.");
-  get(
-      "rgb8",
-      [](const F0Answer& a) {
-        const Srgb8& c = a.result().srgb8;
-        return py::make_tuple(int{c.r}, int{c.g}, int{c.b});
-      },
-      "8-bit sRGB, clipped.");
-  get(
-      "hex", [](const F0Answer& a) { return hex(a.result().srgb8); }, "8-bit sRGB: \"#ffe49c\".");
-  get(
-      "luminance", [](const F0Answer& a) { return a.result().luminance; }, "Y.");
-  const auto optional_rgb = [](const std::optional<LinearRgb>& c) {
-    return c ? py::object(array_of_rgb(*c)) : py::object(py::none());
-  };
-  get(
-      "f82", [optional_rgb](const F0Answer& a) { return optional_rgb(a.result().f82); },
-      "Reflectance at cos 1/7, in `space`; None for reflectance data.");
-  get(
-      "f82_tint", [optional_rgb](const F0Answer& a) { return optional_rgb(a.result().f82_tint); },
-      "f82 divided by Schlick's form there; None for reflectance data.");
-  get(
-      "zone",
-      [](const F0Answer& a) -> std::optional<std::string> {
-        if (!a.result().zone) return std::nullopt;
-        return std::string(name(*a.result().zone));
-      },
-      "Luminance against the forbidden zone, 0.20 to 0.45: \"below\", \"inside\", \"above\"; None for "
-      "surfaces.");
-  get(
-      "flags", [](const F0Answer& a) { return flags_of(a.result()); },
-      "What was found in data and result, by name.");
-  get(
-      "flag_meanings",
-      [](const F0Answer& a) {
-        py::dict out;
-        a.result().flags.for_each(
-            [&](Flag flag) { out[py::str(std::string(name(flag)))] = std::string(meaning(flag)); });
-        return out;
-      },
-      "Those flags, each with a sentence.");
-  get(
-      "gamut_excess", [](const F0Answer& a) { return array_of(a.result().gamut_excess); },
-      "How far rgb is above 1 (positive) or below 0 (negative).");
-  get(
-      "coverage", [](const F0Answer& a) { return a.result().coverage.least(); },
-      "Share of the visible weight that the data hold: the least of X, Y and Z.");
-  get(
-      "coverage_xyz", [](const F0Answer& a) { return array_of(a.result().coverage.weight); },
-      "Of X, Y and Z.");
-  get(
-      "range",
-      [](const F0Answer& a) { return std::pair(a.result().coverage.first_nm, a.result().coverage.last_nm); },
-      "First and last wavelength of the data, in nm.");
-  get(
-      "samples", [](const F0Answer& a) { return a.result().coverage.samples_400_700; },
-      "Rows of the data within 400 to 700 nm; 0 for a formula.");
-  get(
-      "largest_gap", [](const F0Answer& a) { return a.result().coverage.largest_gap_nm; },
-      "Between rows within 400 to 700 nm, in nm; 0 for a formula.");
-  get(
-      "policy", [](const F0Answer& a) { return a.solver ? policy(a.solver->options()) : a.words.policy; },
-      "What the numbers were computed by.");
-  get("spread", &spread_of, "Of all datasets of the material; None for a file without a material.");
-  f0.def(
-      "json",
-      [](const F0Answer& a) {
-        return a.solver ? f0_json({&a.row, 1}, a.solver->options()) : a.words.json;
-      },
-      "As the command line's --format json.");
-  f0.def("__str__", &text_of_answer).def("__repr__", &repr_of).def("_repr_html_", &html_of);
-
+  const auto get = attributes_of(f0);
+  add_origin(get);
+  add_color(get);
+  add_data(get);
+  f0.def("json", &json_of, "As the command line's --format json.")
+      .def("__str__", &text_of_answer)
+      .def("__repr__", &repr_of)
+      .def("_repr_html_", &html_of);
   module.def("f0", &answers, py::arg("materials"), py::arg("dataset"), py::arg("axis_average"),
              py::arg("settings"), py::arg("library"), py::arg("threads"));
 }

@@ -15,6 +15,12 @@
 
 namespace etak::python {
 
+std::vector<std::string> flag_names(Flags flags) {
+  std::vector<std::string> out;
+  flags.for_each([&](Flag flag) { out.emplace_back(name(flag)); });
+  return out;
+}
+
 namespace {
 
 // ---- what Python sees of a dataset
@@ -30,8 +36,12 @@ std::pair<double, double> range_of(const Dataset& dataset) {
   return {formula.first_nm, formula.last_nm};
 }
 
+const OpticalConstants* constants_in(const DatasetOf& of) {
+  return std::get_if<OpticalConstants>(&of.dataset().optics);
+}
+
 const OpticalConstants& constants_of(const DatasetOf& of) {
-  const auto* out = std::get_if<OpticalConstants>(&of.dataset().optics);
+  const OpticalConstants* const out = constants_in(of);
   if (out == nullptr) throw Error::at(of.label(), "has reflectance data only", "a dataset of n and k");
   return *out;
 }
@@ -65,18 +75,14 @@ py::object at_wavelengths(const py::object& wavelength, bool extrapolate, const 
   return out;
 }
 
-py::object n_of(const DatasetOf& of, const py::object& wavelength, bool extrapolate,
-                const std::string& interpolation) {
-  return at_wavelengths(wavelength, extrapolate, interpolation, [&](auto at, const ReadOptions& options) {
-    return n_at(constants_of(of), at, of.label(), options);
-  });
-}
-
-py::object k_of(const DatasetOf& of, const py::object& wavelength, bool extrapolate,
-                const std::string& interpolation) {
-  return at_wavelengths(wavelength, extrapolate, interpolation, [&](auto at, const ReadOptions& options) {
-    return k_at(constants_of(of), at, of.label(), options);
-  });
+template <class At>
+auto constants_at(const At& at) {
+  return [at](const DatasetOf& of, const py::object& wavelength, bool extrapolate,
+              const std::string& interpolation) {
+    return at_wavelengths(wavelength, extrapolate, interpolation, [&](auto nm, const ReadOptions& options) {
+      return at(constants_of(of), nm, of.label(), options);
+    });
+  };
 }
 
 py::object reflectance_of(const DatasetOf& of, const py::object& wavelength, bool extrapolate,
@@ -88,10 +94,9 @@ py::object reflectance_of(const DatasetOf& of, const py::object& wavelength, boo
   });
 }
 
-std::vector<std::string> flag_names(Flags flags) {
-  std::vector<std::string> out;
-  flags.for_each([&](Flag flag) { out.emplace_back(name(flag)); });
-  return out;
+const Spectrum* k_in(const DatasetOf& of) {
+  const OpticalConstants* const constants = constants_in(of);
+  return constants != nullptr && constants->k ? &*constants->k : nullptr;
 }
 
 std::vector<DatasetOf> datasets_of(const std::shared_ptr<Material>& material) {
@@ -168,18 +173,17 @@ void add_citation(py::module_& module) {
   py::class_<Citation> citation(module, "Citation", "Who measured, and where it was published.");
   be_value(
       citation, [](const Citation& c) { return py::make_tuple(bytes_of(c)); }, &from_bytes<Citation>);
-  citation.def_readonly("authors", &Citation::authors, "In the order of the publication.")
-      .def_readonly("title", &Citation::title, "Of the publication.")
-      .def_readonly("published_in", &Citation::published_in,
-                    "Journal, volume and pages, or the name of a report.")
-      .def_property_readonly(
-          "year", [](const Citation& c) { return c.year == 0 ? std::nullopt : std::optional(c.year); },
-          "None: not known.")
-      .def_readonly("doi", &Citation::doi, "Without resolver; may be empty.")
-      .def_readonly("url", &Citation::url, "May be empty.")
-      .def_readonly("licence", &Citation::licence, "Of the numbers: an SPDX id.")
-      .def_readonly("via", &Citation::via, "The collection and page that the numbers were taken from.")
-      .def("__str__", [](const Citation& c) { return one_line(c); })
+  const auto get = attributes_of(citation);
+  get("authors", "In the order of the publication.", &Citation::authors);
+  get("title", "Of the publication.", &Citation::title);
+  get("published_in", "Journal, volume and pages, or the name of a report.", &Citation::published_in);
+  get("year", "None: not known.",
+      [](const Citation& c) { return c.year == 0 ? std::nullopt : std::optional(c.year); });
+  get("doi", "Without resolver; may be empty.", &Citation::doi);
+  get("url", "May be empty.", &Citation::url);
+  get("licence", "Of the numbers: an SPDX id.", &Citation::licence);
+  get("via", "The collection and page that the numbers were taken from.", &Citation::via);
+  citation.def("__str__", [](const Citation& c) { return one_line(c); })
       .def("__repr__", [](const Citation& c) { return repr_line("Citation", one_line(c)); });
 }
 
@@ -207,7 +211,7 @@ void add_library_type(py::module_& module) {
           py::init(&library_of),
           "The built-in library, those of ETAK_LIBRARY over it, and the folders of material files over both.")
       .def("__len__", [](const Library& l) { return l.opened().ids().size(); })
-      .def("__iter__", [](const Library& l) { return py::iter(py::cast(l.opened().ids())); })
+      .def("__iter__", [](const Library& l) { return Iterator<std::string>(py::cast(l.opened().ids())); })
       .def("__contains__",
            [](const Library& l, const py::object& name) {
              return py::isinstance<py::str>(name) && l.opened().look_up(name.cast<std::string>()).has_value();
@@ -244,15 +248,53 @@ void add_library_type(py::module_& module) {
   };
 }
 
-}  // namespace
+template <class Value>
+auto of_dataset(Value Dataset::*member) {
+  return [member](const DatasetOf& d) { return d.dataset().*member; };
+}
 
-void add_library(py::module_& module) {
-  add_citation(module);
-  py::class_<Material, std::shared_ptr<Material>> material(module, "Material",
-                                                           "A material and its datasets.");
-  be_value(
-      material, [](const Material& m) { return py::make_tuple(bytes_of(m)); }, &restored_material);
-  py::class_<DatasetOf> dataset(module, "Dataset", "What one source says of one sample.");
+void add_source(const auto& get) {
+  get("id", "Unique within the material.", of_dataset(&Dataset::id));
+  get("label", "\"gold/ID\", as f0() takes it.", &DatasetOf::label);
+  get("material", "The material that it is of.",
+      [](const DatasetOf& d) { return std::const_pointer_cast<Material>(d.material); });
+  get("kind", "\"measured\", \"fit\" or \"computed\".",
+      [](const DatasetOf& d) { return std::string(name(d.dataset().origin)); });
+  get("sample", "State of the sample.", of_dataset(&Dataset::sample));
+  get("temperature", "In kelvin, or None.", of_dataset(&Dataset::temperature_kelvin));
+  get("axis", "Of a crystal; empty: none.", of_dataset(&Dataset::axis));
+  get("citation", "Where the numbers are from.", of_dataset(&Dataset::citation));
+  get("note", "A note; may be empty.", of_dataset(&Dataset::note));
+  get("doubt", "Why the numbers should not be relied on; empty: nothing says so.",
+      [](const DatasetOf& d) { return doubt(*d.material, d.dataset()); });
+}
+
+void add_numbers(const auto& get) {
+  get("flags", "What was found in the data.", [](const DatasetOf& d) {
+    Flags flags = d.dataset().flags;
+    flags |= quality_flags(*d.material, d.dataset());
+    return flag_names(flags);
+  });
+  get("has_n", "Whether it holds n, and not reflectance.",
+      [](const DatasetOf& d) { return constants_in(d) != nullptr; });
+  get("has_k", "Whether it holds k.", [](const DatasetOf& d) { return k_in(d) != nullptr; });
+  get("is_formula", "Whether n is a formula, which has no wavelengths of its own.",
+      [](const DatasetOf& d) { return table_of(d.dataset()) == nullptr; });
+  get("wavelength", "Where n or the reflectance was measured, in nm; None for a formula.",
+      [](const DatasetOf& d) {
+        const Spectrum* const table = table_of(d.dataset());
+        return table == nullptr ? std::nullopt : std::optional(array_of(table->wavelength_nm));
+      });
+  get("k_range",
+      "First and last wavelength of k, in nm, which may have a table of its own; None: no k is given.",
+      [](const DatasetOf& d) {
+        const Spectrum* const k = k_in(d);
+        return k == nullptr ? std::nullopt : std::optional(std::pair(k->first_nm(), k->last_nm()));
+      });
+  get("range", "First and last wavelength, in nm.", [](const DatasetOf& d) { return range_of(d.dataset()); });
+}
+
+void add_dataset(py::class_<DatasetOf>& dataset) {
   be_value(
       dataset, [](const DatasetOf& d) { return py::make_tuple(bytes_of(*d.material), d.index); },
       [](const py::bytes& bytes, std::size_t index) {
@@ -260,123 +302,76 @@ void add_library(py::module_& module) {
         if (index >= of->datasets.size()) throw Error::at("pickle", "no such dataset", "one of its material");
         return DatasetOf{of, index};
       });
-
-  const auto at = [&](const char* name, auto read, const char* doc) {
+  const auto at = [&](const char* name, const char* what, const auto& read) {
+    const std::string doc =
+        std::string(what) +
+        " at wavelengths in nm; raises Error outside of the data unless extrapolate is true.";
     dataset.def(name, read, py::arg("wavelength"), py::kw_only(), py::arg("extrapolate") = false,
-                py::arg("interpolation") = "linear", doc);
+                py::arg("interpolation") = "linear", doc.c_str());
   };
-  at("n", &n_of, "n at wavelengths in nm; raises Error outside of the data unless extrapolate is true.");
-  at("k", &k_of, "k at wavelengths in nm; raises Error outside of the data unless extrapolate is true.");
-  at("reflectance", &reflectance_of,
-     "Reflectance at wavelengths in nm; raises Error outside of the data unless extrapolate is true.");
-  const auto text = [&](const char* name, auto get, const char* doc) {
-    dataset.def_property_readonly(name, get, doc);
-  };
-  text(
-      "id", [](const DatasetOf& d) { return d.dataset().id; }, "Unique within the material.");
-  text("label", &DatasetOf::label, "\"gold/ID\", as f0() takes it.");
-  text(
-      "material", [](const DatasetOf& d) { return std::const_pointer_cast<Material>(d.material); },
-      "The material that it is of.");
-  text(
-      "kind", [](const DatasetOf& d) { return std::string(name(d.dataset().origin)); },
-      "\"measured\", \"fit\" or \"computed\".");
-  text(
-      "sample", [](const DatasetOf& d) { return d.dataset().sample; }, "State of the sample.");
-  text(
-      "temperature", [](const DatasetOf& d) { return d.dataset().temperature_kelvin; },
-      "In kelvin, or None.");
-  text(
-      "axis", [](const DatasetOf& d) { return d.dataset().axis; }, "Of a crystal; empty: none.");
-  text(
-      "citation", [](const DatasetOf& d) { return d.dataset().citation; }, "Where the numbers are from.");
-  text(
-      "note", [](const DatasetOf& d) { return d.dataset().note; }, "A note; may be empty.");
-  text(
-      "doubt", [](const DatasetOf& d) { return doubt(*d.material, d.dataset()); },
-      "Why the numbers should not be relied on; empty: nothing says so.");
-  text(
-      "flags",
-      [](const DatasetOf& d) {
-        Flags flags = d.dataset().flags;
-        flags |= quality_flags(*d.material, d.dataset());
-        return flag_names(flags);
-      },
-      "What was found in the data.");
-  text(
-      "has_n",
-      [](const DatasetOf& d) { return std::holds_alternative<OpticalConstants>(d.dataset().optics); },
-      "Whether it holds n, and not reflectance.");
-  text(
-      "has_k",
-      [](const DatasetOf& d) {
-        const auto* constants = std::get_if<OpticalConstants>(&d.dataset().optics);
-        return constants != nullptr && constants->k.has_value();
-      },
-      "Whether it holds k.");
-  text(
-      "is_formula", [](const DatasetOf& d) { return table_of(d.dataset()) == nullptr; },
-      "Whether n is a formula, which has no wavelengths of its own.");
-  text(
-      "wavelength",
-      [](const DatasetOf& d) -> py::object {
-        const Spectrum* table = table_of(d.dataset());
-        return table == nullptr ? py::object(py::none()) : py::object(array_of(table->wavelength_nm));
-      },
-      "Where n or the reflectance was measured, in nm; None for a formula.");
-  text(
-      "k_range",
-      [](const DatasetOf& d) -> std::optional<std::pair<double, double>> {
-        const auto* constants = std::get_if<OpticalConstants>(&d.dataset().optics);
-        if (constants == nullptr || !constants->k) return std::nullopt;
-        return std::pair(constants->k->first_nm(), constants->k->last_nm());
-      },
-      "First and last wavelength of k, in nm, which may have a table of its own; None: no k is given.");
-  text(
-      "range", [](const DatasetOf& d) { return range_of(d.dataset()); }, "First and last wavelength, in nm.");
+  at("n", "n", constants_at(&n_at));
+  at("k", "k", constants_at(&k_at));
+  at("reflectance", "Reflectance", &reflectance_of);
+  const auto get = attributes_of(dataset);
+  add_source(get);
+  add_numbers(get);
   dataset.def("__repr__", [](const DatasetOf& d) { return repr_line("Dataset", d.label()); });
+}
 
-  material.def_readonly("id", &Material::id, "Lower case: \"gold\".")
-      .def_readonly("name", &Material::name, "\"Gold\".")
-      .def_readonly("aliases", &Material::aliases, "Other names and formulas.")
-      .def_readonly("material_class", &Material::material_class, "\"metal\", \"glass\", ...")
-      .def_readonly("group", &Material::group, "Within the class, such as \"wood\"; may be empty.")
-      .def_readonly("preferred_reason", &Material::preferred_reason, "Why that dataset is preferred.")
-      .def_property_readonly(
-          "optical_kind",
-          [](const Material& m) -> std::optional<std::string> {
-            if (m.material_class.empty()) return std::nullopt;
-            return std::string(optical_kind(m.material_class));
-          },
-          "\"conductor\", \"semiconductor\", \"dielectric\" or \"surface\"; None where the class is not "
-          "known.")
-      .def_property_readonly("datasets", &datasets_of, "All of them.")
-      .def_property_readonly(
-          "preferred",
-          [](const std::shared_ptr<Material>& m) {
-            return DatasetOf{m, m->preferred};
-          },
-          "The dataset that is taken where none is named.")
+using MaterialClass = py::class_<Material, std::shared_ptr<Material>>;
+
+void add_material(MaterialClass& material) {
+  be_value(
+      material, [](const Material& m) { return py::make_tuple(bytes_of(m)); }, &restored_material);
+  const auto get = attributes_of(material);
+  get("id", "Lower case: \"gold\".", &Material::id);
+  get("name", "\"Gold\".", &Material::name);
+  get("aliases", "Other names and formulas.", &Material::aliases);
+  get("material_class", "\"metal\", \"glass\", ...", &Material::material_class);
+  get("group", "Within the class, such as \"wood\"; may be empty.", &Material::group);
+  get("preferred_reason", "Why that dataset is preferred.", &Material::preferred_reason);
+  get("optical_kind",
+      "\"conductor\", \"semiconductor\", \"dielectric\" or \"surface\"; None where the class is not known.",
+      [](const Material& m) {
+        return m.material_class.empty() ? std::nullopt
+                                        : std::optional<std::string>(optical_kind(m.material_class));
+      });
+  get("datasets", "All of them.", &datasets_of);
+  get("preferred", "The dataset that is taken where none is named.", [](const std::shared_ptr<Material>& m) {
+    return DatasetOf{m, m->preferred};
+  });
+  material
       .def("dataset", &dataset_by_name, py::arg("name"), "The dataset of that id, or its unique beginning.")
       .def("__len__", [](const Material& m) { return m.datasets.size(); })
-      .def("__iter__", [](const std::shared_ptr<Material>& m) { return py::iter(py::cast(datasets_of(m))); })
+      .def("__iter__",
+           [](const std::shared_ptr<Material>& m) { return Iterator<DatasetOf>(py::cast(datasets_of(m))); })
       .def("__repr__", [](const Material& m) { return repr_line("Material", m.id); });
+}
 
+DatasetOf read_call(const py::object& asked_for, const std::string& id, const py::dict& tables,
+                    const Library& library) {
+  const AskedMaterial asked = asked_material(asked_for, id);
+  const TableSettings settings = table_settings({tables});
+  LongWork work;
+  return work.unlocked([&] { return read_one(asked, library, settings); });
+}
+
+}  // namespace
+
+void add_library(py::module_& module) {
+  // Types that others name in their signatures stand before these.
+  add_citation(module);
+  MaterialClass material(module, "Material", "A material and its datasets.");
+  py::class_<DatasetOf> dataset(module, "Dataset", "What one source says of one sample.");
+  add_dataset(dataset);
+  add_material(material);
   add_library_type(module);
   module.attr("library") =
       py::cast(const_cast<Library*>(&standard_library()), py::return_value_policy::reference);
-
   module.def("dataset", &made_dataset, py::arg("wavelength"), py::arg("n"), py::arg("k"),
              py::arg("reflectance"), py::arg("name"));
-  module.def(
-      "read",
-      [](const py::object& asked_for, const std::string& id, const py::dict& tables, const Library& library) {
-        const AskedMaterial asked = asked_material(asked_for, id);
-        const TableSettings settings = table_settings(tables);
-        LongWork work;
-        return work.unlocked([&] { return read_one(asked, library, settings); });
-      },
-      py::arg("material"), py::arg("dataset"), py::arg("tables"), py::arg("library"));
+  module.def("read", &read_call, py::arg("material"), py::arg("dataset"), py::arg("tables"),
+             py::arg("library"));
 }
 
 }  // namespace etak::python

@@ -3,11 +3,9 @@
 
 #include <array>
 
-#include "core/base/error.h"
 #include "core/material/embedded/material_members.h"
 #include "core/material/f0.h"
 #include "core/pages/f0/report.h"
-#include "core/study/choose/choose.h"
 
 // The members that a pickle holds beyond those of materials.
 namespace etak {
@@ -52,22 +50,6 @@ void members(To& to, S& s) {
 template <class To, Like<Spread> S>
 void members(To& to, S& s) {
   all_members(to, s.count, s.least, s.most, s.least8, s.most8);
-}
-
-// ---- what choose() found, as Python shows it
-
-template <class To, Like<Choice> S>
-void members(To& to, S& s) {
-  all_members(to, s.material, s.library, s.budget, s.unit, s.met, s.visibility, s.method, s.filter, s.model,
-              s.model_values, s.alpha, s.textured, s.fresnel_error, s.picture_error, s.method_error,
-              s.everything_ns, s.chosen_ns, s.defines);
-  std::string form = s.fresnel != nullptr ? std::string(s.fresnel->id) : "";
-  to.member(form);
-  if constexpr (!std::is_const_v<S>) {
-    s.fresnel = fresnel_form(form);
-    if (s.fresnel == nullptr)
-      throw Error::at("pickle", "a form of Fresnel reflectance that is not known", "a choice");
-  }
 }
 
 }  // namespace etak

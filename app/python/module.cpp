@@ -13,10 +13,6 @@ namespace {
 
 std::string module_folder;
 
-}  // namespace
-
-namespace {
-
 // numpy.asarray(value), whose exceptions are passed on.
 py::array as_array(const py::object& value, const char* name) {
   try {
@@ -65,6 +61,18 @@ Array array_of(std::span<const double> values) {
 
 std::string repr_line(const char* name, const std::string& text) {
   return std::string("<etak.") + name + " " + line_text(text) + ">";
+}
+
+bool is_text(const py::handle& value) {
+  return py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
+}
+
+std::vector<std::string> texts_of(const py::handle& value, const std::string& name) {
+  if (value.is_none()) return {};
+  if (is_text(value)) return {text_of(value, name)};
+  std::vector<std::string> out;
+  for (const py::handle each : py::iter(value)) out.push_back(text_of(each, name));
+  return out;
 }
 
 std::string text_of(const py::handle& value, const std::string& name) {
@@ -153,6 +161,7 @@ PYBIND11_MODULE(_core, module) {
   });
   module.def(
       "_start", [](const std::string& folder) { module_folder = folder; }, py::arg("folder"));
+  module.def("repr_line", &repr_line, py::arg("name"), py::arg("text"));
   add_library(module);
   add_f0(module);
   add_fresnel(module);

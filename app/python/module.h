@@ -115,8 +115,26 @@ std::vector<AskedMaterial> asked_materials(const std::vector<py::object>& values
 MaterialInput find_one(const AskedMaterial& asked, const Library& library);
 DatasetOf read_one(const AskedMaterial& asked, const Library& library, const TableSettings& tables);
 
+/// Whether the value is a text or a path.
+bool is_text(const py::handle& value);
+
 /// A word or number that a keyword gives; None: empty. Throws TypeError for a value of another type.
 std::string text_of(const py::handle& value, const std::string& name);
+
+/// A list of texts, of a keyword that takes one text or several.
+std::vector<std::string> texts_of(const py::handle& value, const std::string& name);
+
+/// Keywords of a call, which etak/__init__.py gives as a dictionary. One that is None or not there is empty.
+struct Keywords {
+  py::dict given;
+
+  py::object at(const char* name) const {
+    return given.contains(name) ? py::object(given[name]) : py::none();
+  }
+  std::string text(const char* name) const { return text_of(at(name), name); }
+  std::vector<std::string> texts(const char* name) const { return texts_of(at(name), name); }
+  bool yes(const char* name) const { return given.contains(name) && given[name].cast<bool>(); }
+};
 
 /// The line of repr(): "<etak.NAME TEXT>", which a terminal can show whatever the text holds.
 std::string repr_line(const char* name, const std::string& text);
@@ -128,8 +146,11 @@ struct GivenF0Settings : F0Settings {
 };
 
 /// The settings that a dictionary holds by their keywords, which are those of F0 and of tables.
-GivenF0Settings f0_settings(const py::dict& given);
-TableSettings table_settings(const py::dict& given);
+GivenF0Settings f0_settings(const Keywords& given);
+TableSettings table_settings(const Keywords& given);
+
+/// The names of flags, in their order.
+std::vector<std::string> flag_names(Flags flags);
 
 /// The solver's options.
 F0Options options_of(const GivenF0Settings& settings, const Library& library);

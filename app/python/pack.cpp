@@ -2,6 +2,7 @@
 #include "core/atlas/pack/pack.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/python/validate.h"
 #include "core/atlas/pack/setting_reader.h"
@@ -45,7 +46,7 @@ struct KeywordValue {
     return value.cast<bool>();
   }
   std::string text() const {
-    if (!py::isinstance<py::str>(value) && !py::hasattr(value, "__fspath__")) fail_type("a text");
+    if (!is_text(value)) fail_type("a text");
     return text_of(value, name);
   }
   std::vector<std::string> texts() const { return texts_of(value, name); }
@@ -68,76 +69,43 @@ PackSettings pack_settings(const std::string& input, const std::string& output, 
   return out;
 }
 
-/// etak.Packed: what is told of a pack.
-struct Packed {
-  std::string input, output;
-  std::vector<std::string> files, remarks;
-  bool up_to_date = false, dry_run = false;
-  std::size_t materials = 0, regions = 0;
-  std::vector<std::pair<int, int>> pages;
-  std::string layout, json, text;  // layout.json, and the report of the packer in both forms
-  std::optional<Report> report;
-};
-
-Packed told_of(const PackResult& r) {
-  Packed out{r.input,
-             r.output,
-             r.files,
-             r.remarks,
-             r.up_to_date,
-             r.dry_run,
-             r.materials,
-             r.regions,
-             {},
-             layout_json(r.layout),
-             report_json(r, false),
-             report_text(r, false),
-             {}};
-  for (const AtlasPage& each : r.layout.pages) out.pages.emplace_back(each.width, each.height);
-  while (out.text.ends_with('\n')) out.text.pop_back();
-  return out;
-}
-
-// How the work is done, as a caller says it.
-struct PackCall {
-  PackSettings settings;
-  ValidateSettings check;
-  std::string memory;
-  bool validate = true, overwrite = false, update = false, dry_run = false;
-  int threads = 0;
-};
-
-PackOptions options_of(const PackCall& call) {
-  PackOptions out = pack_options(call.settings);
-  out.input.space_config = space_config_file(call.settings.ocio);
+PackOptions options_of(const PackSettings& settings, const Keywords& given, int threads) {
+  PackOptions out = pack_options(settings);
+  out.input.space_config = space_config_file(settings.ocio);
   out.input.pictures.door = picture_door_behind(&pictures);
-  out.input.pictures.open_space = [config = call.settings.ocio](const std::string& name) {
+  out.input.pictures.open_space = [config = settings.ocio](const std::string& name) {
     return pictures(printable(name)).open_source(config, name);
   };
   if (writes_floats(out.output.write))
     (void)pictures(setting("format"));  // throws before the work where the module is missing
-  out.output.overwrite = call.overwrite;
-  out.output.update = call.update;
-  out.output.dry_run = call.dry_run;
-  out.run.memory = memory_setting(call.memory);
-  out.run.threads = threads_of(call.threads);
+  out.output.overwrite = given.yes("force");
+  out.output.update = given.yes("update");
+  out.output.dry_run = given.yes("dry_run");
+  out.run.memory = memory_setting(given.text("memory"));
+  out.run.threads = threads_of(threads);
   out.run.version = ETAK_VERSION;
   return out;
 }
 
-Packed packed(const PackCall& call, const Library& library, LongWork& work) {
-  PackOptions options = options_of(call);
-  const std::string& out = call.settings.out;
+// What was packed, and what the validator found on its pages.
+struct Packed {
+  PackResult result;
+  std::shared_ptr<const ValidationReport> report;  // null: they were not checked
+  Severity fail_on = Severity::error;
+};
+
+Packed packed(const PackSettings& settings, PackOptions options,
+              const std::optional<ValidateSettings>& checking, const Library& library, LongWork& work) {
+  Packed out;
   std::optional<PackCheck> check;
-  std::optional<Report> report;
-  if (call.validate) {
+  if (checking) {
     PackCheckOptions how;
-    how.config = validate_config(call.check, out + "/layout.json", library.known());
-    how.never_fails = call.check.fail_on == never_fails;
+    how.config = validate_config(*checking, settings.out + "/layout.json", library.known());
+    how.never_fails = checking->fail_on == never_fails;
     how.threads = options.run.threads;
     how.version = ETAK_VERSION;
-    report = Report{nullptr, how.config.settings.fail_on, how.never_fails};
-    check.emplace(out, std::move(how)).attach(options);
+    out.fail_on = how.config.settings.fail_on;
+    check.emplace(settings.out, std::move(how)).attach(options);
   }
   options.run.progress = [&](std::size_t done, std::size_t all) { work.tell(done, all); };
   options.run.cancelled = [&] { return work.stopped(); };
@@ -147,78 +115,45 @@ Packed packed(const PackCall& call, const Library& library, LongWork& work) {
   };
   const MaterialLibrary& known = library.get();
   options.input.other_manifest = project_reader(known);
-  Packed result = told_of(with_memory_for(
-      call.settings.input, [&] { return "its atlas " + out; },
-      [&] { return pack(call.settings.input, out, options, known); }));
-  if (!check || check->report() == nullptr) return result;
-  report->report = std::make_shared<const ValidationReport>(*check->report());
-  result.report = std::move(report);
-  return result;
+  out.result = with_memory_for(
+      settings.input, [&] { return "its atlas " + settings.out; },
+      [&] { return pack(settings.input, settings.out, options, known); });
+  if (check && check->report() != nullptr)
+    out.report = std::make_shared<const ValidationReport>(*check->report());
+  return out;
 }
 
-Packed pack_call(const py::object& input, const py::object& output, const py::dict& run,
-                 const py::dict& check, const py::dict& settings, const Library& library, int threads,
-                 py::object progress) {
-  PackCall call;
-  call.settings = pack_settings(text_of(input, "input"), text_of(output, "output"), settings);
-  if (call.settings.input.empty())
+// The documents of a pack for etak/documents.py, and beside them the texts whose bytes JSON may not hold.
+py::dict pack_call(const py::object& input, const py::object& output, const py::dict& given,
+                   const py::dict& more, const Library& library, int threads, py::object progress) {
+  const PackSettings settings = pack_settings(text_of(input, "input"), text_of(output, "output"), more);
+  if (settings.input.empty())
     throw Error::at("input", "nothing to pack", "a manifest, a glTF scene or a folder");
-  if (call.settings.out.empty()) throw Error::at("output", "no folder to write", "the name of a folder");
-  call.check = check_settings(check);
-  call.memory = text_of(run["memory"], "memory");
-  call.validate = run["validate"].cast<bool>();
-  call.overwrite = run["force"].cast<bool>();
-  call.update = run["update"].cast<bool>();
-  call.dry_run = run["dry_run"].cast<bool>();
-  call.threads = threads;
+  if (settings.out.empty()) throw Error::at("output", "no folder to write", "the name of a folder");
+  const Keywords how{given};
+  std::optional<ValidateSettings> check;
+  if (how.yes("validate")) check = check_settings(how);
+  const PackOptions options = options_of(settings, how, threads);
   LongWork work(std::move(progress));
-  return work.unlocked([&] { return packed(call, library, work); });
+  const Packed done = work.unlocked([&] { return packed(settings, options, check, library, work); });
+  const PackResult& result = done.result;
+  py::dict out;
+  out["input"] = result.input;
+  out["output"] = result.output;
+  out["files"] = result.files;
+  out["remarks"] = result.remarks;
+  out["layout"] = layout_json(result.layout);
+  out["json"] = report_json(result, false);
+  out["text"] = report_text(result, false);
+  if (done.report) out["forms"] = forms_of(done.report, done.fail_on);
+  return out;
 }
 
 }  // namespace
 
 void add_pack(py::module_& module) {
-  py::class_<Packed> packed(module, "Packed", "What pack() did.");
-  be_value(
-      packed,
-      [](const Packed& p) {
-        return py::make_tuple(py::make_tuple(p.input, p.output, p.layout, p.json, p.text), p.files, p.remarks,
-                              py::make_tuple(p.up_to_date, p.dry_run), py::make_tuple(p.materials, p.regions),
-                              p.pages, p.report);
-      },
-      [](const std::array<std::string, 5>& texts, const std::vector<std::string>& files,
-         const std::vector<std::string>& remarks, const std::array<bool, 2>& is,
-         const std::array<std::size_t, 2>& counts, const std::vector<std::pair<int, int>>& pages,
-         const std::optional<Report>& report) {
-        return Packed{texts[0],  texts[1], files,    remarks,  is[0],    is[1], counts[0],
-                      counts[1], pages,    texts[2], texts[3], texts[4], report};
-      });
-  packed.def_readonly("input", &Packed::input, "As the caller named it.")
-      .def_readonly("output", &Packed::output, "The folder.")
-      .def_readonly("files", &Packed::files, "That were written, in the folder.")
-      .def_readonly("remarks", &Packed::remarks, "What should be known of the result.")
-      .def_readonly("up_to_date", &Packed::up_to_date, "It was in place already.")
-      .def_readonly("dry_run", &Packed::dry_run, "Nothing was written.")
-      .def_readonly("materials", &Packed::materials, "Their number.")
-      .def_readonly("regions", &Packed::regions, "Their number.")
-      .def_readonly("pages", &Packed::pages, "(width, height) of each.")
-      .def_property_readonly(
-          "layout",
-          [](const Packed& p) {
-            return py::module_::import("json").attr("loads")(p.layout).cast<py::dict>();
-          },
-          "What layout.json holds.")
-      .def_readonly("report", &Packed::report,
-                    "What the validator found on the pages; None: they were not checked.")
-      .def(
-          "json", [](const Packed& p) { return p.json; }, "The report of the packer.")
-      .def("__str__", [](const Packed& p) { return p.text; })
-      .def("__repr__", [](const Packed& p) {
-        return repr_line("Packed", p.output + ": " + std::to_string(p.materials) + " materials, " +
-                                       std::to_string(p.pages.size()) + " pages");
-      });
-  module.def("pack", &pack_call, py::arg("input"), py::arg("output"), py::arg("run"), py::arg("check"),
-             py::arg("settings"), py::arg("library"), py::arg("threads"), py::arg("progress"));
+  module.def("pack", &pack_call, py::arg("input"), py::arg("output"), py::arg("given"), py::arg("settings"),
+             py::arg("library"), py::arg("threads"), py::arg("progress"));
   module.def("pack_settings", [] {
     py::dict out;
     for (const PackSettingRow& row : pack_setting_rows()) {

@@ -2,7 +2,7 @@
 // etak.nearest, etak.export, etak.eval and etak.delta_e: what the verbs of these names answer, and differences of colours.
 #include <algorithm>
 
-#include "app/python/validate.h"
+#include "app/python/module.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
@@ -165,39 +165,40 @@ Exported exported(const ExportCall& call, const F0Options& options, const TableS
   return out;
 }
 
-py::tuple export_call(const std::vector<py::object>& materials, const std::string& to, const py::dict& how,
-                      const py::dict& given, const Library& library, int threads) {
+std::optional<GltfMaterialForm> gltf_form_named(const std::string& text) {
+  if (text == "metal-rough") return GltfMaterialForm::metal_rough;
+  if (text == "specular-glossiness") return GltfMaterialForm::specular_glossiness;
+  return std::nullopt;
+}
+
+py::tuple export_call(const std::vector<py::object>& materials, const std::string& to, const py::dict& given,
+                      const Library& library, int threads) {
+  const Keywords how{given};
   ExportCall call;
-  call.asked = asked_materials(materials, text_of(how["dataset"], "dataset"));
+  call.asked = asked_materials(materials, how.text("dataset"));
   if (call.asked.empty()) throw Error::at("materials", "no material", "one, or several");
   // A target's id is short for the values of that target.
   call.to = to == "mtlx" || to == "gltf" || to == "glb" ? to : "values";
-  call.targets = texts_of(how["target"], "target");
-  if (to != call.to) call.targets = {to};
-  const auto share = [&](const char* name) { return how[name].cast<std::optional<double>>(); };
+  call.targets = to == call.to ? how.texts("target") : std::vector{to};
+  const auto share = [&](const char* name) { return how.at(name).cast<std::optional<double>>(); };
   call.gloss = given_gloss(share("gloss"), share("roughness"));
-  call.opacity = how["opacity"].cast<double>();
-  if (!how["diffuse"].is_none()) call.diffuse = std::get<LinearRgb>(color_of(how["diffuse"], true));
-  call.fit = setting_value("fit", text_of(how["fit"], "fit"), call.fit, fit_named, "clamp or preserve-hue");
-  const auto form_named = [](const std::string& text) -> std::optional<GltfMaterialForm> {
-    if (text == "metal-rough") return GltfMaterialForm::metal_rough;
-    if (text == "specular-glossiness") return GltfMaterialForm::specular_glossiness;
-    return std::nullopt;
-  };
-  call.form = setting_value("gltf-form", text_of(how["gltf_form"], "gltf_form"), call.form, form_named,
+  call.opacity = how.at("opacity").cast<double>();
+  if (!how.at("diffuse").is_none()) call.diffuse = std::get<LinearRgb>(color_of(how.at("diffuse"), true));
+  call.fit = setting_value("fit", how.text("fit"), call.fit, fit_named, "clamp or preserve-hue");
+  call.form = setting_value("gltf-form", how.text("gltf_form"), call.form, gltf_form_named,
                             "metal-rough or specular-glossiness");
-  const GivenF0Settings settings = f0_settings(given);
-  const TableSettings tables = table_settings(given);
+  const GivenF0Settings settings = f0_settings(how);
+  const TableSettings tables = table_settings(how);
   LongWork work;
   const Exported out = work.unlocked([&] {
     const F0Options options = options_of(settings, library);
     require_export_space(call.to, options);
     return exported(call, options, tables, library, threads, work);
   });
-  if (call.to == "values")
-    return py::make_tuple(py::module_::import("json").attr("loads")(out.document), out.remarks);
-  if (call.to == "glb") return py::make_tuple(py::bytes(out.document), out.remarks);
-  return py::make_tuple(out.document, out.remarks);
+  const py::object document = call.to == "values" ? py::module_::import("json").attr("loads")(out.document)
+                              : call.to == "glb"  ? py::object(py::bytes(out.document))
+                                                  : py::cast(out.document);
+  return py::make_tuple(document, out.remarks);
 }
 
 }  // namespace
@@ -213,7 +214,7 @@ void add_questions(py::module_& module) {
   module.def("functions", [] {
     return py::module_::import("json").attr("loads")(functions_json())["functions"].cast<py::list>();
   });
-  module.def("export", &export_call, py::arg("materials"), py::arg("to"), py::arg("how"), py::arg("settings"),
+  module.def("export", &export_call, py::arg("materials"), py::arg("to"), py::arg("given"),
              py::arg("library"), py::arg("threads"));
 }
 

@@ -192,7 +192,7 @@ void solve_rows(const Rows& rows, const F0Options& options, int threads, LongWor
 
 // The unit of the wavelengths of arrays, which for photon energies run the other way.
 void in_nm(Rows& rows, const py::dict& given) {
-  const auto unit = table_options(table_settings(given)).unit.value_or(WavelengthUnit::nanometre);
+  const auto unit = table_options(table_settings({given})).unit.value_or(WavelengthUnit::nanometre);
   if (unit == WavelengthUnit::nanometre) return;
   const std::span<const double> values = values_of(rows.wavelength);
   std::vector<double> nm;
@@ -212,7 +212,7 @@ Array f0_of_rows(const py::object& n, const py::object& k, const py::object& ref
                  const py::object& wavelength, const py::dict& given, const Library& library, int threads) {
   Rows rows = rows_of(n, k, reflectance, wavelength);
   in_nm(rows, given);
-  const GivenF0Settings settings = f0_settings(given);
+  const GivenF0Settings settings = f0_settings({given});
   std::vector<py::ssize_t> shape{3};
   if (!rows.one) shape.insert(shape.begin(), static_cast<py::ssize_t>(rows.count));
   Array out(shape);

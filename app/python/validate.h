@@ -5,23 +5,14 @@
 
 #include "app/python/module.h"
 #include "core/validate/config.h"
-#include "core/validate/validate.h"
+#include "core/validate/finding.h"
 
 namespace etak::python {
 
-/// etak.Report: what the validator found.
-struct Report {
-  std::shared_ptr<const ValidationReport> report;
-  Severity fail_on = Severity::error;
-  bool never_fails = false;  // for findings; what could not be checked fails all the same
-
-  bool passed() const { return report->passed || (never_fails && !report->incomplete); }
-};
-
 /// The settings of a check that a dictionary holds by their keywords.
-ValidateSettings check_settings(const py::dict& given);
+ValidateSettings check_settings(const Keywords& given);
 
-/// A list of texts, of a keyword that takes one text or several.
-std::vector<std::string> texts_of(const py::handle& value, const std::string& name);
+/// A function of Python that writes the report in the form of a name, for etak/documents.py.
+py::function forms_of(std::shared_ptr<const ValidationReport> report, Severity fail_on);
 
 }  // namespace etak::python

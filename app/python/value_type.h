@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/bytes/member_bytes.h"
@@ -14,6 +15,12 @@
 namespace etak::python {
 
 namespace py = pybind11;
+
+/// An iterator over a list of `Item`, which its signature names.
+template <class Item>
+struct Iterator : py::object {
+  explicit Iterator(const py::object& list) : py::object(py::iter(list)) {}
+};
 
 /// The members of a struct as bytes for Python, and back. Throws Error where they are of another form.
 template <class Struct>
@@ -29,6 +36,18 @@ Struct from_bytes(const py::bytes& bytes) {
   in.member(out);
   if (!in.good()) throw Error::at("pickle", "bytes of another form", "those of a pickle of this type");
   return out;
+}
+
+/// A function that defines attributes of a type: get("name", "What it is.", read), where `read` takes the value, or is
+/// a member of it.
+template <class Class>
+auto attributes_of(Class& type) {
+  return [&type](const char* name, const char* meaning, const auto& read) {
+    if constexpr (std::is_member_object_pointer_v<std::decay_t<decltype(read)>>)
+      type.def_readonly(name, read, meaning);
+    else
+      type.def_property_readonly(name, read, meaning);
+  };
 }
 
 /// Gives a type copies (the object itself), equality, hashes and pickles by a state, and refuses subclasses and
@@ -58,3 +77,12 @@ void be_value(Class& type, const State& state, const Make& make) {
 }
 
 }  // namespace etak::python
+
+namespace pybind11::detail {
+
+template <class Item>
+struct handle_type_name<etak::python::Iterator<Item>> {
+  static constexpr auto name = const_name("Iterator[") + make_caster<Item>::name + const_name("]");
+};
+
+}  // namespace pybind11::detail

@@ -94,13 +94,6 @@ std::string read_file_name(const JsonNode& node) {
   return out;
 }
 
-std::vector<std::string> read_file_names(const JsonNode& node) {
-  node.expect_array();
-  std::vector<std::string> out;
-  for (std::size_t i = 0; i < node.size(); ++i) out.push_back(read_file_name(node.at(i)));
-  return out;
-}
-
 AtlasPage read_page(const JsonNode& node) {
   node.expect_object();
   AtlasPage out;
@@ -113,7 +106,7 @@ AtlasPage read_page(const JsonNode& node) {
     const std::string more = std::string(name(texture)) + "_more";
     if (!node.has(more)) continue;
     if (files.empty()) node.at(more).fail_type("nothing where " + std::string(name(texture)) + " is null");
-    for (std::string& each : read_file_names(node.at(more))) files.push_back(std::move(each));
+    for (std::string& each : node.at(more).each(read_file_name)) files.push_back(std::move(each));
   }
   return out;
 }
@@ -129,11 +122,10 @@ AtlasRect read_rect(const JsonNode& node, std::size_t pages) {
   out.height = node.at("h").integer(1, max_image_side);
   out.rotated = node.at("rotated").boolean();
   out.crop = box_of(node.at("crop"));
-  const JsonNode source = node.at("source");
-  source.expect_array();
-  if (source.size() != 2) source.fail_type("[width, height]");
-  out.source_width = source.at(0).integer(1, max_image_side);
-  out.source_height = source.at(1).integer(1, max_image_side);
+  const auto side = [](const JsonNode& each) { return each.integer(1, max_image_side); };
+  const auto source = node.at("source").each_of<2>(side, "[width, height]");
+  out.source_width = source[0];
+  out.source_height = source[1];
   out.gutter = node.at("gutter").integer(0, max_image_side);
   out.mips = node.at("mips").integer(1, 15);
   if (node.has("island")) out.island = node.at("island").integer(0);
@@ -146,14 +138,12 @@ AtlasRect read_rect(const JsonNode& node, std::size_t pages) {
   return out;
 }
 
-AtlasMaterialRow read_material(const JsonNode& node) {
+AtlasMaterialRow read_material_row(const JsonNode& node) {
   node.expect_object();
   AtlasMaterialRow out;
   out.name = node.at("name").text();
   out.texels = node.at("texels").boolean();
-  const auto mode = alpha_mode_named(node.at("alpha_mode").text());
-  if (!mode) node.at("alpha_mode").fail_type(alpha_mode_names);
-  out.alpha_mode = *mode;
+  out.alpha_mode = node.at("alpha_mode").word(alpha_mode_named, alpha_mode_names);
   if (out.alpha_mode == AlphaMode::mask && node.has("alpha_cutoff"))
     out.alpha_cutoff = node.at("alpha_cutoff").number();
   const JsonNode constant = node.at("constant");
@@ -197,9 +187,7 @@ AtlasLayout parse_layout(std::string_view text, std::string_view file) {
   if (root.text_or_empty("schema") != layout_schema)
     root.fail("not an atlas layout", std::string("\"schema\": \"") + layout_schema + "\"");
   AtlasLayout out;
-  const auto form = gloss_form_named(root.at("gloss").text());
-  if (!form) root.at("gloss").fail_type("schueler, one_minus_roughness or roughness");
-  out.gloss = *form;
+  out.gloss = root.at("gloss").word(gloss_form_named, "schueler, one_minus_roughness or roughness");
   if (root.has("diffuse")) {
     const std::string diffuse = root.at("diffuse").text();
     if (diffuse != reduced && diffuse != as_it_is)
@@ -209,13 +197,10 @@ AtlasLayout parse_layout(std::string_view text, std::string_view file) {
   out.levels = root.at("levels").integer(1, 15);
   out.settings_hash = root.text_or_empty("settings_hash");
   out.content_hash = root.text_or_empty("content_hash");
-  const JsonNode pages = root.at("pages"), rects = root.at("rects"), materials = root.at("materials");
-  pages.expect_array(), rects.expect_array(), materials.expect_array();
-  for (std::size_t i = 0; i < pages.size(); ++i) out.pages.push_back(read_page(pages.at(i)));
-  for (std::size_t i = 0; i < rects.size(); ++i)
-    out.rects.push_back(read_rect(rects.at(i), out.pages.size()));
-  for (std::size_t i = 0; i < materials.size(); ++i) out.materials.push_back(read_material(materials.at(i)));
-  if (root.has("other_files")) out.other_files = read_file_names(root.at("other_files"));
+  out.pages = root.at("pages").each(read_page);
+  out.rects = root.at("rects").each([&](const JsonNode& rect) { return read_rect(rect, out.pages.size()); });
+  out.materials = root.at("materials").each(read_material_row);
+  if (root.has("other_files")) out.other_files = root.at("other_files").each(read_file_name);
   if (root.has("sha256")) {
     const JsonNode hashes = root.at("sha256");
     hashes.expect_object();

@@ -30,13 +30,9 @@ class ManifestReader {
   AtlasManifest read() {
     root_.expect_object({"schema", "gloss", "materials"});
     AtlasManifest out;
-    if (root_.has("schema") && root_.at("schema").text() != "etak-atlas-manifest/1")
-      root_.at("schema").fail_type("\"etak-atlas-manifest/1\"");
-    if (root_.has("gloss")) {
-      const auto form = gloss_form_named(root_.at("gloss").text());
-      if (!form) root_.at("gloss").fail_type("schueler, one_minus_roughness or roughness");
-      out.gloss = *form;
-    }
+    if (root_.has("schema")) root_.at("schema").expect_text("etak-atlas-manifest/1");
+    if (root_.has("gloss"))
+      out.gloss = root_.at("gloss").word(gloss_form_named, "schueler, one_minus_roughness or roughness");
     const JsonNode list = root_.at("materials");
     list.expect_array();
     if (list.size() == 0) list.fail("no material", "at least one");

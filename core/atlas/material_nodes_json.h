@@ -45,9 +45,7 @@ std::string read_name(const JsonNode& material) {
 }
 
 AlphaMode read_alpha_mode(const JsonNode& node) {
-  const auto mode = alpha_mode_named(node.text());
-  if (!mode) node.fail_type(alpha_mode_names);
-  return *mode;
+  return node.word(alpha_mode_named, alpha_mode_names);
 }
 
 /// The member "channels" of an image: letters, three for a colour; empty where there is none.

@@ -12,9 +12,7 @@ namespace {
 constexpr std::string_view choices_schema = "etak-choose/2";
 
 std::array<double, 3> colour(const JsonNode& node) {
-  node.expect_array();
-  if (node.size() != 3) node.fail_type("three numbers");
-  return {node.at(0).number(), node.at(1).number(), node.at(2).number()};
+  return node.each_of<3>(&JsonNode::number, "three numbers");
 }
 
 MaterialVariant read_variant(const JsonNode& node) {
@@ -26,9 +24,7 @@ MaterialVariant read_variant(const JsonNode& node) {
   out.method = node.text_or_empty("integration");
   out.filter = node.at("filter").text();
   out.textured = node.at("textured").boolean();
-  const JsonNode values = node.at("values"), codes = node.at("codes");
-  values.expect_array(), codes.expect_array();
-  for (std::size_t i = 0; i < values.size(); ++i) out.values.push_back(values.at(i).number());
+  out.values = node.at("values").each(&JsonNode::number);
   out.diffuse = colour(node.at("diffuse"));
   out.f0 = colour(node.at("f0"));
   out.gloss = node.at("gloss").number();
@@ -37,9 +33,8 @@ MaterialVariant read_variant(const JsonNode& node) {
   if (node.has("roughness"))
     if (const Gloss rough = Gloss::of_roughness(node.at("roughness").number()); rough.held())
       out.gloss = rough;
-  if (codes.size() != channel_count) codes.fail_type("eight codes");
-  for (std::size_t i = 0; i < channel_count; ++i)
-    out.codes[i] = static_cast<std::uint8_t>(codes.at(i).integer(0, 255));
+  const auto code = [](const JsonNode& each) { return static_cast<std::uint8_t>(each.integer(0, 255)); };
+  out.codes = node.at("codes").each_of<channel_count>(code, "eight codes");
   out.defines = node.at("defines").texts();
   return out;
 }

@@ -17,8 +17,7 @@ constexpr std::size_t most_lights = 256;
 using Node = JsonNode;
 
 Vec3 three(const Node& node) {
-  if (!node.value.is_array() || node.size() != 3) node.fail_type("three numbers");
-  return {node.at(0).number(), node.at(1).number(), node.at(2).number()};
+  return node.each_of<3>(&Node::number, "three numbers");
 }
 
 Vec3 unit_vector(const Node& node) {
@@ -31,12 +30,9 @@ Vec3 unit_vector(const Node& node) {
 }
 
 Light read_light(const Node& node) {
-  if (!node.value.is_object()) node.fail_type("an object");
+  node.expect_object();
   Light light;
-  const Node kind = node.at("kind");
-  const auto named = light_kind_named(kind.text());
-  if (!named) kind.fail_type("\"point\", \"directional\" or \"spot\"");
-  light.kind = *named;
+  light.kind = node.at("kind").word(light_kind_named, "\"point\", \"directional\" or \"spot\"");
   switch (light.kind) {
     case LightKind::point:
       node.expect_object({"kind", "position", "color", "intensity"});
@@ -63,11 +59,8 @@ Hemispheres read_hemispheres(const Node& node) {
   out.upper = three(node.at("upper"));
   out.lower = three(node.at("lower"));
   if (node.has("axis")) out.axis = unit_vector(node.at("axis"));
-  if (node.has("form")) {
-    const auto form = hemisphere_form_named(node.at("form").text());
-    if (!form) node.at("form").fail_type("\"corrected\", \"wide\" or \"printed\"");
-    out.form = *form;
-  }
+  if (node.has("form"))
+    out.form = node.at("form").word(hemisphere_form_named, "\"corrected\", \"wide\" or \"printed\"");
   return out;
 }
 
@@ -77,15 +70,14 @@ LightSetup parse_lights(std::string_view text, std::string_view file) {
   const JsonDocument json = parse_json_strictly(text, file, most_depth, "a light setup");
   const Node root{json, file, ""};
   root.expect_object({"schema", "lights", "hemispheres", "environment", "pi_scaled"});
-  if (root.at("schema").text() != schema_name)
-    root.at("schema").fail_type('"' + std::string(schema_name) + '"');
+  root.at("schema").expect_text(schema_name);
   LightSetup setup;
   if (root.has("lights")) {
     const Node lights = root.at("lights");
-    if (!lights.value.is_array()) lights.fail_type("an array");
+    lights.expect_array();
     if (lights.value.size() > most_lights)
       lights.fail(std::to_string(lights.value.size()) + " lights", "at most " + std::to_string(most_lights));
-    for (std::size_t i = 0; i < lights.value.size(); ++i) setup.lights.push_back(read_light(lights.at(i)));
+    setup.lights = lights.each(read_light);
   }
   if (root.has("hemispheres")) setup.hemispheres = read_hemispheres(root.at("hemispheres"));
   if (root.has("environment")) {
@@ -95,10 +87,7 @@ LightSetup parse_lights(std::string_view text, std::string_view file) {
     if (setup.environment.empty()) environment.at("file").fail_type("a file name");
     if (environment.has("scale")) setup.environment_scale = environment.at("scale").number();
   }
-  if (root.has("pi_scaled")) {
-    if (!root.at("pi_scaled").value.is_boolean()) root.at("pi_scaled").fail_type("true or false");
-    setup.pi_scaled = root.at("pi_scaled").value.get<bool>();
-  }
+  if (root.has("pi_scaled")) setup.pi_scaled = root.at("pi_scaled").boolean();
   validate(setup, file);
   return setup;
 }

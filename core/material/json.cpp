@@ -79,10 +79,7 @@ Optics read_optics(const Node& node) {
       if (node.has(key)) node.at(key).fail("rows beside a formula", "one of them");
     DispersionFormula f;
     f.number = formula.at("number").integer();
-    const Node coefficients = formula.at("coefficients");
-    coefficients.expect_array();
-    for (std::size_t i = 0; i < coefficients.value.size(); ++i)
-      f.coefficients.push_back(coefficients.at(i).number());
+    f.coefficients = formula.at("coefficients").each(&Node::number);
     f.first_nm = first_nm;
     f.last_nm = last_nm;
     validate(f, std::string(node.file) + "#" + formula.pointer);
@@ -139,11 +136,8 @@ Dataset read_dataset(const Node& node) {
   d.id = node.at("id").text();
   if (!is_made_of(d.id, "abcdefghijklmnopqrstuvwxyz0123456789-."))
     node.at("id").fail_type("a-z, 0-9, - and . only");
-  if (node.has("origin")) {
-    const auto known = origin_named(node.at("origin").text());
-    if (!known) node.at("origin").fail_type("measured, fit, computed or unknown");
-    d.origin = *known;
-  }
+  if (node.has("origin"))
+    d.origin = node.at("origin").word(origin_named, "measured, fit, computed or unknown");
   d.sample = node.at("sample").text();
   if (node.has("temperature_kelvin")) d.temperature_kelvin = node.at("temperature_kelvin").number();
   d.axis = node.text_or_empty("axis");

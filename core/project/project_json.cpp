@@ -31,8 +31,7 @@ class Reader {
 
   Project read() {
     root_.expect_object({"schema", "view", "spectra", "materials"});
-    if (root_.at("schema").text() != schema_name)
-      root_.at("schema").fail_type('"' + std::string(schema_name) + '"');
+    root_.at("schema").expect_text(schema_name);
     Project out;
     if (root_.has("view")) out.view = view(root_.at("view"));
     if (root_.has("spectra")) {
@@ -78,11 +77,8 @@ class Reader {
       out.display = ocio.text_or_empty("display");
       out.view = ocio.text_or_empty("view");
     }
-    if (node.has("tone")) {
-      const auto tone = tone_named(node.at("tone").text());
-      if (!tone) node.at("tone").fail_type("plain, neutral, agx-like or false-color");
-      out.tone = *tone;
-    }
+    if (node.has("tone"))
+      out.tone = node.at("tone").word(tone_named, "plain, neutral, agx-like or false-color");
     if (node.has("backdrop")) backdrop(node.at("backdrop"), out);
     if (node.has("compare")) out.compare = comparison(node.at("compare"));
     if (node.has("wedge")) out.wedge = wedge(node.at("wedge"));
@@ -150,10 +146,8 @@ class Reader {
   }
 
   static LinearRgb color(const JsonNode& node) {
-    node.expect_array();
-    if (node.size() != 3) node.fail_type("[r, g, b]");
-    const auto part = [&](std::size_t i) { return ranged(node.at(i), -largest_color, largest_color); };
-    return {part(0), part(1), part(2)};
+    const auto part = [](const JsonNode& each) { return ranged(each, -largest_color, largest_color); };
+    return to_rgb(node.each_of<3>(part, "[r, g, b]"));
   }
 
   static MeasuredF0 measured(const JsonNode& node) {
@@ -162,16 +156,10 @@ class Reader {
     out.material = node.at("material").text();
     out.dataset = node.text_or_empty("dataset");
     out.outside = node.text_or_empty("outside");
-    if (node.has("illuminant")) {
-      const auto found = illuminant_named(node.at("illuminant").text());
-      if (!found) node.at("illuminant").fail_type("D65, D50, A or E");
-      out.viewing.illuminant = *found;
-    }
-    if (node.has("observer")) {
-      const auto found = observer_named(node.at("observer").text());
-      if (!found) node.at("observer").fail_type("1931-2deg or 1964-10deg");
-      out.viewing.observer = *found;
-    }
+    if (node.has("illuminant"))
+      out.viewing.illuminant = node.at("illuminant").word(illuminant_named, "D65, D50, A or E");
+    if (node.has("observer"))
+      out.viewing.observer = node.at("observer").word(observer_named, "1931-2deg or 1964-10deg");
     return out;
   }
 

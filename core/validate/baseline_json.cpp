@@ -27,7 +27,7 @@ std::vector<KnownDefect> read_baseline(std::string_view text, std::string_view f
   const JsonDocument document = parse_json_strictly(text, file, 8, "a baseline of etak validate");
   const JsonNode root{document, file, {}};
   root.expect_object({"schema", "findings"});
-  if (root.at("schema").text() != "etak-baseline/1") root.at("schema").fail_type("\"etak-baseline/1\"");
+  root.at("schema").expect_text("etak-baseline/1");
   const JsonNode findings = root.at("findings");
   findings.expect_array();
   std::vector<KnownDefect> out;
@@ -40,12 +40,8 @@ std::vector<KnownDefect> read_baseline(std::string_view text, std::string_view f
     defect.tile = entry.text_or_empty("tile");
     defect.material = entry.text_or_empty("material");
     defect.pointer = entry.text_or_empty("pointer");
-    if (!entry.has("region")) continue;
-    const JsonNode region = entry.at("region");
-    region.expect_array();
-    if (region.size() != 4) region.fail_type("four whole numbers");
-    auto& edges = defect.region.emplace();
-    for (std::size_t edge = 0; edge < 4; ++edge) edges[edge] = region.at(edge).integer(-1000, 1000);
+    const auto edge = [](const JsonNode& each) { return each.integer(-1000, 1000); };
+    if (entry.has("region")) defect.region = entry.at("region").each_of<4>(edge, "four whole numbers");
   }
   return out;
 }

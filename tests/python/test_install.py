@@ -15,7 +15,7 @@ class Install(unittest.TestCase):
                             "--prefix", prefix], check=True, capture_output=True)
             files = {path.name for path in Path(prefix).rglob("*") if path.is_file()}
             self.assertEqual({name for name in files if not name.startswith("_core.cpython")},
-                             {"__init__.py", "_core.pyi", "_pictures.so", "convert.py", "notebook.py", "py.typed"})
+                             {"__init__.py", "_core.pyi", "_pictures.so", "convert.py", "documents.py", "notebook.py", "py.typed"})
             folder = next(Path(prefix).rglob("__init__.py")).parents[1]
             self.assertEqual(folder.name, "dist-packages")
             said = subprocess.run(

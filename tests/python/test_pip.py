@@ -78,7 +78,7 @@ class Pip(unittest.TestCase):
             record = held.read(next(n for n in names if n.endswith("/RECORD"))).decode().splitlines()
         self.assertEqual([line.split(",")[0] for line in record], names)
         self.assertEqual({n for n in names if n.startswith("etak/") and "/_core.cpython" not in n},
-                         {f"etak/{n}" for n in ("__init__.py", "_core.pyi", "_pictures.so", "convert.py", "notebook.py", "py.typed")})
+                         {f"etak/{n}" for n in ("__init__.py", "_core.pyi", "_pictures.so", "convert.py", "documents.py", "notebook.py", "py.typed")})
 
 
 if __name__ == "__main__":

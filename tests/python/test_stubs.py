@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The stubs say what the compiled module holds: by mypy's stubtest where it is present, by names everywhere."""
+"""The stubs, which the build writes, say what the compiled module holds: by mypy's stubtest where it is present, by names everywhere."""
 import ast
+import dataclasses
 import importlib.util
 import inspect
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -55,6 +57,15 @@ class Stubs(unittest.TestCase):
                 if is_public(member) and isinstance(value, property):
                     self.assertTrue((value.__doc__ or "").strip(), f"{name}.{member}")
 
+        for kind in filter(dataclasses.is_dataclass, map(etak.__dict__.get, etak.__all__)):
+            for each in dataclasses.fields(kind):
+                if is_public(each.name):
+                    meaning = re.escape(each.metadata["meaning"])
+                    self.assertRegex(kind.__doc__, rf"\n  {each.name} +{meaning}")
+            for member, value in vars(kind).items():
+                if is_public(member) and (isinstance(value, property) or inspect.isfunction(value)):
+                    self.assertTrue((value.__doc__ or "").strip(), f"{kind}.{member}")
+
     def test_the_package_says_that_it_is_typed(self):
         self.assertTrue(STUBS.with_name("py.typed").exists())
 
@@ -63,7 +74,7 @@ class Stubs(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             # The classes of pybind11 have a metaclass and an __init__ that refuses all arguments.
             allowed = Path(folder, "allowed")
-            allowed.write_text(r"etak\.((_core|convert|notebook)\.)?[A-Z]\w*(\.__init__)?" "\n")
+            allowed.write_text(r"etak\.((_core|convert|documents|notebook)\.)?[A-Z]\w*(\.__init__)?" "\n")
             done = subprocess.run(
                 [sys.executable, "-m", "mypy.stubtest", "etak", "--ignore-missing-stub", "--allowlist", allowed],
                 capture_output=True, text=True, cwd=folder,
@@ -80,11 +91,13 @@ class Stubs(unittest.TestCase):
                 "hex: str = etak.f0('gold', illuminant='A').hex\n"
                 "shape = etak.f0(n=[1, 1], wavelength=[380, 780]).shape\n"
                 "wrong: int = etak.read('gold').label\n"
-                "etak.f0('gold', illuminate='A')\n")
+                "etak.f0('gold', illuminate='A')\n"
+                "other: int = etak.validate('textures')[0].rule\n"
+                "ids: 'list[str]' = [each.id for each in etak.library['gold']]\n")
             done = subprocess.run(
                 [sys.executable, "-m", "mypy", "--strict", "uses.py"], capture_output=True, text=True, cwd=folder,
                 env={**os.environ, "MYPYPATH": str(STUBS.parent.parent)})
-        self.assertEqual([line.split(":")[1] for line in done.stdout.splitlines() if ": error:" in line], ["6", "7"],
+        self.assertEqual([line.split(":")[1] for line in done.stdout.splitlines() if ": error:" in line], ["6", "7", "8"],
                          done.stdout + done.stderr)
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """All types are values: pickled, copied and compared they are the same, and none can be made without its contents."""
 import copy
+import dataclasses
 import itertools
 import json
 import pickle
@@ -26,10 +27,12 @@ class Values(InWorkFolder):
     def shown(self, value):
         """All that Python sees of a value."""
         out = {"str": str(value), "repr": repr(value)}
-        for name in dir(type(value)):
-            if isinstance(getattr(type(value), name), property):
-                each = getattr(value, name)
-                out[name] = each.tolist() if isinstance(each, np.ndarray) else each
+        names = [name for name in dir(type(value)) if isinstance(getattr(type(value), name), property)]
+        if dataclasses.is_dataclass(value):
+            names += [each.name for each in dataclasses.fields(value) if not each.name.startswith("_")]
+        for name in names:
+            each = getattr(value, name)
+            out[name] = each.tolist() if isinstance(each, np.ndarray) else each
         for name in ("json", "_repr_html_"):
             if hasattr(value, name):
                 out[name] = getattr(value, name)()
@@ -61,7 +64,9 @@ class Values(InWorkFolder):
         self.assertEqual(len({etak.f0("gold"), etak.f0("gold"), etak.f0("silver")}), 2)
         first, second = etak.validate("textures"), etak.validate("textures")
         self.assertEqual(first, second)
+        self.assertEqual((first[0], first.files), (second[0], second.files))
         self.assertNotEqual(first[0], second[1])
+        self.assertNotEqual(first.files[0], etak.validate("textures", only="ETK101").files[0])
         everything = self.everything()
         for a, b in itertools.combinations(everything, 2):
             if type(a) is not type(b):
@@ -69,6 +74,13 @@ class Values(InWorkFolder):
         for value in everything:
             self.assertNotEqual(value, 3)
             self.assertFalse(value == "gold")
+
+    def test_nothing_changes_an_attribute(self):
+        for value in self.everything():
+            for name in self.shown(value):
+                if name not in ("str", "repr", "json", "_repr_html_"):
+                    with self.subTest(type(value).__name__, name=name), self.assertRaises(AttributeError):
+                        setattr(value, name, 1)
 
     def test_a_pickle_of_data_of_ones_own_is_whole(self):
         mine = pickle.loads(pickle.dumps(etak.dataset([380, 780], n=[1.5, 1.6], k=[0, 0.1], name="My own")))

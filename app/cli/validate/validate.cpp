@@ -40,20 +40,15 @@ constexpr const char* repairs_page = "repairs.html";  // in the folder of --fix
 
 std::string form_of(const ValidationReport& report, const ValidateArguments& arguments,
                     const Settings& settings) {
-  const OutputOptions options{settings.fail_on, ETAK_VERSION};
   const std::string& format = arguments.output.format;
-  if (format == "json") return validation_json(report, options);
-  if (format == "sarif") return validation_sarif(report, options);
-  if (format == "junit") return validation_junit(report, options);
-  if (format == "github") return validation_github(report);
-  if (format == "csv") return validation_csv(report);
-  if (format != "html") {
+  if (format == "text") {
     TextOptions text{use_color(arguments.output)};
     text.findings = !arguments.output.quiet;
     text.least = severity_named(arguments.min_severity).value_or(Severity::info);
     text.fold_infos = arguments.min_severity.empty();
     return validation_text(report, text);
   }
+  if (auto out = validation_form(format, report, {settings.fail_on, ETAK_VERSION})) return *std::move(out);
   const auto pictures = page_pictures(report, settings, picture_door(), most_files_with_pictures,
                                       thread_count(arguments.threads));
   return validation_page(report, pictures, {ETAK_VERSION, settings});

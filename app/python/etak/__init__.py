@@ -19,10 +19,9 @@ from __future__ import annotations
 import os as _os
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional, Tuple, Union, overload
 
-from . import _core
-from ._core import (
-    CheckedFile, Choice, Choices, Citation, Dataset, Error, F0, Finding, Library, Material, Packed, Report, Spread,
-    __version__, library)
+from . import _core, documents as _documents
+from ._core import Citation, Dataset, Error, F0, Library, Material, Spread, __version__, library
+from .documents import CheckedFile, Choice, Choices, Finding, Packed, Report
 
 if TYPE_CHECKING:
     import numpy as np
@@ -41,7 +40,7 @@ def __dir__() -> "list[str]":
     return sorted([*__all__, "convert", "eval", "__all__", "__doc__", "__file__", "__name__", "__path__"])
 
 
-for _each in (CheckedFile, Choice, Choices, Citation, Dataset, F0, Finding, Library, Material, Packed, Report, Spread):
+for _each in (Citation, Dataset, F0, Library, Material, Spread):
     _each.__module__ = "etak"
 del _each
 
@@ -154,21 +153,16 @@ def f0(
     array([[0.04    , 0.04    , 0.04    ],
            [0.111111, 0.111111, 0.111111]])
     """
-    settings = {
-        "observer": observer, "illuminant": illuminant, "interpolation": interpolation, "method": method,
-        "integration_bound": integration_bound, "space": space, "ocio": ocio, "outside": outside,
-        "allow_extrapolation": allow_extrapolation, "unit": unit, "columns": columns, "duplicates": duplicates,
-        "material_class": material_class, "origin": origin}
+    given = locals()
     if material is None:
         for name in ("columns", "duplicates", "material_class", "origin"):
-            value = settings[name]
-            if value is not None:
+            if given[name] is not None:
                 raise Error(f"{name}: is given beside arrays; expected a table in a file")
-        return _core.f0_of_rows(n, k, reflectance, wavelength, settings, library, threads)
+        return _core.f0_of_rows(n, k, reflectance, wavelength, given, library, threads)
     if n is not None or k is not None or reflectance is not None or wavelength is not None:
         raise Error("material: is given beside arrays; expected one of the two")
     several = isinstance(material, (list, tuple))
-    out = _core.f0(list(material) if several else [material], dataset, axis_average, settings, library, threads)
+    out = _core.f0(list(material) if several else [material], dataset, axis_average, given, library, threads)
     return out if several else out[0]
 
 
@@ -183,10 +177,7 @@ def read(
     >>> gold.n([500, 600]).round(3), round(gold.k(600), 3)
     (array([0.82 , 0.204]), 3.122)
     """
-    tables = {
-        "unit": unit, "columns": columns, "duplicates": duplicates, "material_class": material_class,
-        "origin": origin}
-    return _core.read(material, dataset, tables, library)
+    return _core.read(material, dataset, locals(), library)
 
 
 def dataset(
@@ -219,10 +210,7 @@ def fresnel(
            [1.041, 0.781, 0.355],
            [1.   , 1.   , 1.   ]])
     """
-    settings = {
-        "observer": observer, "illuminant": illuminant, "outside": outside, "allow_extrapolation": allow_extrapolation,
-        "unit": unit, "columns": columns, "duplicates": duplicates}
-    return _core.fresnel(material, cos_theta, form, dataset, settings, library, threads)
+    return _core.fresnel(material, cos_theta, form, dataset, locals(), library, threads)
 
 
 def fresnel_forms() -> "dict[str, str]":
@@ -262,12 +250,7 @@ def validate(
     >>> [(finding.rule, finding.limit) for finding in report if finding.severity == "error"]
     [('ETK101', '20 % to 45 %'), ('ETK402', 'codes 36 to 84')]
     """
-    settings = {
-        "role": role, "material": material, "surface": surface, "transfer": transfer, "alpha": alpha,
-        "profile": profile, "only": only, "select": select, "extend_select": extend_select, "ignore": ignore,
-        "fail_on": fail_on, "config": config, "no_config": no_config, "baseline": baseline, "today": today,
-        "allow_empty": allow_empty, "cache": cache, "cache_size": cache_size}
-    return _core.validate(paths, settings, library, threads, progress)
+    return _documents.report_of(_core.validate(paths, locals(), library, threads, progress), fail_on)
 
 
 def pack(
@@ -290,9 +273,7 @@ def pack(
     >>> packed.materials, packed.report.passed
     (2, True)
     """
-    run = {"force": force, "update": update, "dry_run": dry_run, "validate": validate, "memory": memory}
-    check = {"fail_on": fail_on, "config": config, "no_config": no_config}
-    return _core.pack(input, output, run, check, settings, library, threads, progress)
+    return _documents.packed_of(_core.pack(input, output, locals(), settings, library, threads, progress), fail_on)
 
 
 def pack_settings() -> "dict[str, str]":
@@ -321,7 +302,8 @@ def choose(
     >>> choice.fresnel, choice.met
     ('f82', True)
     """
-    return _core.choose(materials, budget, codes, gloss, roughness, costs, library, threads, progress)
+    return _documents.choices_of(
+        _core.choose(materials, budget, codes, gloss, roughness, costs, library, threads, progress))
 
 
 def nearest(
@@ -375,16 +357,11 @@ def export(
     >>> [field["text"] for field in gold["targets"][0]["fields"] if field["name"] == "Roughness"]
     ['0.3']
     """
+    given = locals()
     import warnings
 
-    how = {"target": target, "gloss": gloss, "roughness": roughness, "diffuse": diffuse, "opacity": opacity, "fit": fit,
-           "gltf_form": gltf_form, "dataset": dataset}
-    settings = {
-        "observer": observer, "illuminant": illuminant, "interpolation": interpolation, "method": method,
-        "integration_bound": integration_bound, "space": space, "ocio": ocio, "outside": outside,
-        "allow_extrapolation": allow_extrapolation, "unit": unit, "columns": columns, "duplicates": duplicates}
     several = list(materials) if isinstance(materials, (list, tuple)) else [materials]
-    document, remarks = _core.export(several, to, how, settings, library, threads)
+    document, remarks = _core.export(several, to, given, library, threads)
     for each in remarks:
         warnings.warn(each, stacklevel=2)
     return document

@@ -36,14 +36,11 @@ std::vector<PackSettings> parse_pack_jobs(std::string_view text, const std::stri
   const JsonDocument document = parse_json_strictly(text, file, jobs_depth, "a file of pack jobs");
   const JsonNode root{document, file, {}};
   root.expect_object({"schema", "jobs"});
-  if (root.has("schema") && root.at("schema").text() != "etak-pack-jobs/1")
-    root.at("schema").fail_type("\"etak-pack-jobs/1\"");
-  const JsonNode jobs = root.at("jobs");
-  jobs.expect_array();
+  if (root.has("schema")) root.at("schema").expect_text("etak-pack-jobs/1");
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  std::vector<PackSettings> out;
-  for (std::size_t i = 0; i < jobs.size(); ++i) out.push_back(read_job(jobs.at(i), folder, usual));
-  if (out.empty()) jobs.fail("no job", "at least one");
+  std::vector<PackSettings> out =
+      root.at("jobs").each([&](const JsonNode& job) { return read_job(job, folder, usual); });
+  if (out.empty()) root.at("jobs").fail("no job", "at least one");
   return out;
 }
 

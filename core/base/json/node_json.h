@@ -3,12 +3,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -88,10 +91,34 @@ struct JsonNode {
     return value.get<std::string>();
   }
   std::string text_or_empty(std::string_view key) const { return has(key) ? at(key).text() : std::string(); }
-  std::vector<std::string> texts() const {
+  /// The text of a document's form, such as "etak-baseline/1".
+  void expect_text(std::string_view expected) const {
+    if (text() != expected) fail_type(in_quotes(expected));
+  }
+  /// What the text names: an optional that `named` finds.
+  template <class Named>
+  auto word(const Named& named, std::string_view expected) const {
+    const auto out = named(text());
+    if (!out) fail_type(expected);
+    return *out;
+  }
+
+  /// What `read`, a function or member, makes of every element of an array.
+  template <class Read>
+  auto each(const Read& read) const {
     expect_array();
-    std::vector<std::string> out;
-    for (std::size_t i = 0; i < value.size(); ++i) out.push_back(at(i).text());
+    std::vector<std::decay_t<std::invoke_result_t<Read, const JsonNode&>>> out;
+    out.reserve(size());
+    for (std::size_t i = 0; i < size(); ++i) out.push_back(std::invoke(read, at(i)));
+    return out;
+  }
+  std::vector<std::string> texts() const { return each(&JsonNode::text); }
+  /// The same of an array of so many elements.
+  template <std::size_t count, class Read>
+  auto each_of(const Read& read, std::string_view expected) const {
+    if (!value.is_array() || size() != count) fail_type(expected);
+    std::array<std::decay_t<std::invoke_result_t<Read, const JsonNode&>>, count> out;
+    for (std::size_t i = 0; i < count; ++i) out[i] = std::invoke(read, at(i));
     return out;
   }
 

@@ -132,8 +132,7 @@ LayoutFacts read_facts(const JsonNode& root, const std::string& path) {
     if (root.has("gutter")) out.common.gutter = root.at("gutter").integer(0, max_image_side);
     if (root.has("mips")) out.common.mips = root.at("mips").integer(0, 16);
     if (root.has("transfer")) {
-      out.common.transfer = texture_transfer_named(root.at("transfer").text());
-      if (!out.common.transfer) root.at("transfer").fail_type("srgb, gamma22 or linear");
+      out.common.transfer = root.at("transfer").word(texture_transfer_named, "srgb, gamma22 or linear");
     }
   }
   out.common.specular_weighs_diffuse =
@@ -141,13 +140,9 @@ LayoutFacts read_facts(const JsonNode& root, const std::string& path) {
   if (root.has("other_files"))
     for (const Json& name : root.at("other_files").value)
       if (name.is_string()) add_other_file(name.get<std::string>(), path, out.common);
-  if (root.has("materials")) {
-    const JsonNode materials = root.at("materials");
-    materials.expect_array();
-    for (std::size_t i = 0; i < materials.size(); ++i) out.materials.push_back(read_row(materials.at(i)));
-  }
-  for (std::size_t i = 0; i < rects.size(); ++i)
-    out.places.push_back(read_place(rects.at(i), pages.size(), levels, out.common.gutter));
+  if (root.has("materials")) out.materials = root.at("materials").each(read_row);
+  out.places = rects.each(
+      [&](const JsonNode& rect) { return read_place(rect, pages.size(), levels, out.common.gutter); });
   return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,6 +77,16 @@ std::string validation_csv(const ValidationReport& report);
 
 /// {"schema": "etak-validation/1", ...} as resources/schema/validation.schema.json describes.
 std::string validation_json(const ValidationReport& report, const OutputOptions& options);
+
+/// The same for the calling program itself, in two parts because a report may be large: all but "files", and the
+/// array of files. Names of files are as the user typed them; a text that is no UTF-8 is an array of its bytes,
+/// infinity and NaN are words ("inf", "-inf", "nan"), and each finding has its place_of() and sentence_of().
+std::string validation_head_json(const ValidationReport& report, const OutputOptions& options);
+std::string validation_files_json(const ValidationReport& report);
+
+/// The form of this name: text, json, sarif, junit, github or csv; none for another name.
+std::optional<std::string> validation_form(std::string_view form, const ValidationReport& report,
+                                           const OutputOptions& options);
 
 /// SARIF 2.1.0 (OASIS, 2020) with the whole rule table; at most `most_sarif_results` results, the dropped
 /// ones counted in a notification of the run: GitHub shows no more.

@@ -14,20 +14,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no form of infinity and NaN: they are null, and words in a shard, of which the other forms are made.
-Json number_json(double value, bool in_shard) {
+// Who reads the JSON. By default these are other programs, of which nothing is known.
+//   in_shard   the merge of the shards, which makes the other forms of it
+//   typed      where not null, the program that has called, which wants names as its user typed them
+struct Reader {
+  bool in_shard = false;
+  const TypedFolders* typed = nullptr;
+
+  std::string shown(const std::string& label) const {
+    return typed == nullptr ? label : shown_path(label, *typed);
+  }
+};
+
+// JSON has no form of infinity and NaN: they are null, and words for readers that know of them.
+Json number_json(double value, const Reader& reader) {
   if (std::isfinite(value)) return value;
-  if (!in_shard) return nullptr;
+  if (!reader.in_shard && reader.typed == nullptr) return nullptr;
   return (std::signbit(value) ? "-" : "") + std::string(std::isnan(value) ? "nan" : "inf");
 }
 
-Json value_json(const Finding& finding, bool in_shard) {
+Json value_json(const Finding& finding, const Reader& reader) {
   if (!finding.linear && !finding.byte && !finding.luminance) return nullptr;
   Json out = {{"linear", nullptr}, {"byte", nullptr}, {"Y", nullptr}};
   if (finding.linear)
-    for (const double value : *finding.linear) out["linear"].push_back(number_json(value, in_shard));
+    for (const double value : *finding.linear) out["linear"].push_back(number_json(value, reader));
   if (finding.byte) out["byte"] = *finding.byte;
-  if (finding.luminance) out["Y"] = number_json(*finding.luminance, in_shard);
+  if (finding.luminance) out["Y"] = number_json(*finding.luminance, reader);
   return out;
 }
 
@@ -45,12 +57,12 @@ Json island_json(const FindingIsland& island) {
   return out;
 }
 
-Json finding_json(const Finding& finding, bool in_shard) {
+Json finding_json(const Finding& finding, const Reader& reader) {
   Json out = Json::object();
   out["id"] = finding.rule;
   out["slug"] = finding.slug;
   out["severity"] = name(finding.severity);
-  out["file"] = finding.file;
+  out["file"] = reader.shown(finding.file);
   out["message"] = finding.message;
   out["tile"] = finding.tile;
   out["material"] = finding.material;
@@ -63,7 +75,7 @@ Json finding_json(const Finding& finding, bool in_shard) {
   if (finding.uv) out["uv"] = uv_json(*finding.uv);
   out["areaPx"] = finding.area_px;
   out["areaShare"] = finding.area_share;
-  out["value"] = value_json(finding, in_shard);
+  out["value"] = value_json(finding, reader);
   out["found"] = finding.value;
   out["limit"] = finding.limit;
   out["nearest"] = Json::array();
@@ -75,27 +87,37 @@ Json finding_json(const Finding& finding, bool in_shard) {
   out["suppressed"] = finding.suppressed;
   out["suppression"] = finding.suppression;
   out["baseline"] = finding.baseline;
+  if (reader.typed == nullptr) return out;
+  out["place"] = place_of(finding, reader.shown(finding.file));
+  out["sentence"] = sentence_of(finding);
   return out;
 }
 
-Json file_json(const CheckedFile& file, bool in_shard) {
+Json names_json(const std::vector<std::string>& labels, const Reader& reader) {
+  Json out = Json::array();
+  for (const std::string& label : labels) out.push_back(reader.shown(label));
+  return out;
+}
+
+Json file_json(const CheckedFile& file, const Reader& reader) {
   Json out = Json::object();
-  out["path"] = file.path;
-  out["companions"] = file.companions;
+  out["path"] = reader.shown(file.path);
+  out["companions"] = names_json(file.companions, reader);
   out["sha256"] = file.sha256.empty() ? Json(nullptr) : Json(file.sha256);
   out["width"] = file.width;
   out["height"] = file.height;
   out["unreadable"] = file.unreadable;
   out["roles"] = Json::array();
-  for (const auto& [path, role] : file.roles) out["roles"].push_back({{"file", path}, {"role", role}});
+  for (const auto& [path, role] : file.roles)
+    out["roles"].push_back({{"file", reader.shown(path)}, {"role", role}});
   out["findings"] = Json::array();
-  for (const Finding& finding : file.findings) out["findings"].push_back(finding_json(finding, in_shard));
+  for (const Finding& finding : file.findings) out["findings"].push_back(finding_json(finding, reader));
   Json pixel_counts = Json::object();
   for (const auto& [key, count] : file.counts) pixel_counts[key] = count;
   out["stats"] = {{"plateauPx", file.plateau_px},
                   {"transitionPx", file.transition_px},
                   {"counts", std::move(pixel_counts)}};
-  if (!in_shard) return out;
+  if (!reader.in_shard) return out;
   out["place"] = file.place;
   if (file.is_set) out["udim"] = true;
   return out;
@@ -138,7 +160,7 @@ Json shard_json(const ValidationReport& report) {
     out["allowances"].push_back({{"used", use.used},
                                  {"met", use.met},
                                  {"anyhow", use.anyhow},
-                                 {"unused", use.unused ? finding_json(*use.unused, true) : Json(nullptr)}});
+                                 {"unused", use.unused ? finding_json(*use.unused, {true}) : Json(nullptr)}});
   if (shard.shard.index > 1) return out;
   out["notOpened"] = report.not_opened;
   out["folders"] = report.typed;
@@ -182,7 +204,7 @@ void append_files(std::string& out, const ValidationReport& report) {
   for (const CheckedFile& file : files) {
     out += &file == &files.front() ? "\n    " : ",\n    ";
     const bool in_shard = report.shard != nullptr;
-    for (const char c : text_of(file_json(file, in_shard), in_shard, file.path)) {
+    for (const char c : text_of(file_json(file, {in_shard}), in_shard, file.path)) {
       out += c;
       if (c == '\n') out += "    ";  // in strings a line's end is escaped
     }
@@ -190,9 +212,8 @@ void append_files(std::string& out, const ValidationReport& report) {
   if (!files.empty()) out += "\n  ";
 }
 
-}  // namespace
-
-std::string validation_json(const ValidationReport& report, const OutputOptions& options) {
+// All of a report but its files.
+Json frame_json(const ValidationReport& report, const OutputOptions& options, const Reader& reader) {
   const ReportCounts files = count_files(report);
   Json out = Json::object();
   out["schema"] = "etak-validation/1";
@@ -212,7 +233,43 @@ std::string validation_json(const ValidationReport& report, const OutputOptions&
                     {"passed", report.passed && !report.incomplete},
                     {"incomplete", report.incomplete},
                     {"notRecognised", report.unknown.size()}};
-  out["notRecognised"] = report.unknown;
+  out["notRecognised"] = names_json(report.unknown, reader);
+  return out;
+}
+
+// Texts that are no UTF-8, such as names of files, become arrays of their bytes.
+void keep_bytes(Json& json) {
+  if (json.is_structured())
+    for (Json& each : json) keep_bytes(each);
+  else if (json.is_string())
+    if (const std::string text = json.get<std::string>(); valid_utf8(text) != text)
+      json = std::vector<std::uint8_t>(text.begin(), text.end());
+}
+
+std::string text_with_bytes(Json json) {
+  try {
+    return json.dump();
+  } catch (const Json::exception&) {
+    keep_bytes(json);
+    return json.dump();
+  }
+}
+
+}  // namespace
+
+std::string validation_head_json(const ValidationReport& report, const OutputOptions& options) {
+  return text_with_bytes(frame_json(report, options, {false, &report.typed}));
+}
+
+std::string validation_files_json(const ValidationReport& report) {
+  std::string out = "[";
+  for (const CheckedFile& file : report.files)
+    append(out, out.size() > 1 ? "," : "", text_with_bytes(file_json(file, {false, &report.typed})));
+  return out + ']';
+}
+
+std::string validation_json(const ValidationReport& report, const OutputOptions& options) {
+  Json out = frame_json(report, options, {});
   if (report.shard) out["shard"] = shard_json(report);
   if (report.repairs) out["repairs"] = repairs_json(*report.repairs);
   out["files"] = Json::array();

@@ -220,4 +220,15 @@ std::string validation_text(const ValidationReport& report, const TextOptions& o
   return out + verdict_of(report) + '\n';
 }
 
+std::optional<std::string> validation_form(std::string_view form, const ValidationReport& report,
+                                           const OutputOptions& options) {
+  if (form == "text") return validation_text(report);
+  if (form == "json") return validation_json(report, options);
+  if (form == "sarif") return validation_sarif(report, options);
+  if (form == "junit") return validation_junit(report, options);
+  if (form == "github") return validation_github(report);
+  if (form == "csv") return validation_csv(report);
+  return std::nullopt;
+}
+
 }  // namespace etak

@@ -25,20 +25,13 @@ int side(const JsonNode& node) {
   return node.integer(0, most_side);
 }
 
-template <class Value>
-Value word(const JsonNode& node, std::optional<Value> (*value_of)(std::string_view), const char* expected) {
-  const auto value = value_of(node.text());
-  if (!value) node.fail_type(expected);
-  return *value;
-}
-
 std::optional<Severity> least_severity_named(std::string_view text) {
   const auto severity = severity_named(text);
   return severity == Severity::off ? std::nullopt : severity;
 }
 
 Severity severity_at(const JsonNode& node) {
-  return word(node, least_severity_named, "info, warning or error");
+  return node.word(least_severity_named, "info, warning or error");
 }
 
 std::string digest(const JsonNode& node, std::size_t digits) {
@@ -54,24 +47,6 @@ auto maybe(const JsonNode& node, Read read) -> std::optional<decltype(read(node)
   return read(node);
 }
 
-template <class Read>
-auto list_of(const JsonNode& node, Read read) {
-  node.expect_array();
-  std::vector<decltype(read(node))> out;
-  out.reserve(node.size());
-  for (std::size_t i = 0; i < node.size(); ++i) out.push_back(read(node.at(i)));
-  return out;
-}
-
-template <std::size_t count, class Read>
-auto array_of(const JsonNode& node, Read read) {
-  node.expect_array();
-  if (node.size() != count) node.fail_type(std::to_string(count) + " values");
-  std::array<decltype(read(node)), count> out;
-  for (std::size_t i = 0; i < count; ++i) out[i] = read(node.at(i));
-  return out;
-}
-
 // A number that JSON may have no form of.
 double exact_number(const JsonNode& node) {
   constexpr double inf = std::numeric_limits<double>::infinity(),
@@ -83,12 +58,12 @@ double exact_number(const JsonNode& node) {
 }
 
 PixelBox read_box(const JsonNode& node) {
-  const auto sides = array_of<4>(node, side);
+  const auto sides = node.each_of<4>(side, "4 values");
   return {sides[0], sides[1], sides[2], sides[3]};
 }
 
 UvBox read_uv(const JsonNode& node) {
-  return array_of<4>(node, [](const JsonNode& edge) { return edge.number(); });
+  return node.each_of<4>(&JsonNode::number, "4 values");
 }
 
 FindingIsland read_island(const JsonNode& node) {
@@ -114,19 +89,19 @@ Finding read_finding(const JsonNode& node) {
                                   {"suppression", &out.suppression}})
     *text = node.at(key).text();
   out.box = maybe(node.at("bbox"), read_box);
-  if (node.has("islands")) out.islands = list_of(node.at("islands"), read_island);
+  if (node.has("islands")) out.islands = node.at("islands").each(read_island);
   if (node.has("uv")) out.uv = read_uv(node.at("uv"));
   out.area_px = whole(node.at("areaPx"));
   out.area_share = node.at("areaShare").number();
   if (const JsonNode value = node.at("value"); !value.value.is_null()) {
-    out.linear =
-        maybe(value.at("linear"), [](const JsonNode& rgb) { return array_of<3>(rgb, exact_number); });
+    out.linear = maybe(value.at("linear"),
+                       [](const JsonNode& rgb) { return rgb.each_of<3>(exact_number, "3 values"); });
     out.byte = maybe(value.at("byte"), [](const JsonNode& rgb) {
-      return array_of<3>(rgb, [](const JsonNode& code) { return code.integer(); });
+      return rgb.each_of<3>([](const JsonNode& code) { return code.integer(); }, "3 values");
     });
     out.luminance = maybe(value.at("Y"), exact_number);
   }
-  out.nearest = list_of(node.at("nearest"), [](const JsonNode& near) {
+  out.nearest = node.at("nearest").each([](const JsonNode& near) {
     return NearestMaterial{near.at("name").text(), near.at("dataset").text(), near.at("bytes").number()};
   });
   out.suppressed = node.at("suppressed").boolean();
@@ -134,7 +109,7 @@ Finding read_finding(const JsonNode& node) {
   return out;
 }
 
-CheckedFile read_file(const JsonNode& node) {
+CheckedFile read_checked(const JsonNode& node) {
   CheckedFile out;
   out.path = node.at("path").text();
   out.companions = node.at("companions").texts();
@@ -142,13 +117,13 @@ CheckedFile read_file(const JsonNode& node) {
   out.width = side(node.at("width"));
   out.height = side(node.at("height"));
   out.unreadable = node.at("unreadable").boolean();
-  out.roles = list_of(node.at("roles"), [](const JsonNode& row) {
+  out.roles = node.at("roles").each([](const JsonNode& row) {
     const std::string role = row.at("role").text();
     if (role != "config" && !role_named(role) && !picture_role_named(role))
       row.at("role").fail_type("a role of a file");
     return std::pair(row.at("file").text(), role);
   });
-  out.findings = list_of(node.at("findings"), read_finding);
+  out.findings = node.at("findings").each(read_finding);
   const JsonNode stats = node.at("stats"), counts = stats.at("counts");
   out.plateau_px = whole(stats.at("plateauPx"));
   out.transition_px = whole(stats.at("transitionPx"));
@@ -183,10 +158,10 @@ ReportShard read_member(const JsonNode& node, const JsonNode& settings) {
   out.verdict.exit_zero = verdict.at("exitZero").boolean();
   out.verdict.max_warnings = maybe(verdict.at("maxWarnings"), whole);
   if (!least.text().empty()) out.verdict.min_severity = name(severity_at(least));
-  out.settings.profile = word(settings.at("profile"), profile_named, "default, strict, film or custom");
-  out.settings.transfer = word(settings.at("transfer"), texture_transfer_named, "srgb, gamma22 or linear");
+  out.settings.profile = settings.at("profile").word(profile_named, "default, strict, film or custom");
+  out.settings.transfer = settings.at("transfer").word(texture_transfer_named, "srgb, gamma22 or linear");
   out.settings.fail_on = severity_at(settings.at("failOn"));
-  out.allowances = list_of(node.at("allowances"), read_allowance);
+  out.allowances = node.at("allowances").each(read_allowance);
   return out;
 }
 
@@ -199,7 +174,7 @@ ValidationReport read_document(const JsonNode& root, std::string_view version) {
                     "all shards of etak " + std::string(version));
   const JsonNode node = root.at("shard");
   const auto shard = std::make_shared<const ReportShard>(read_member(node, root.at("settings")));
-  ValidationReport out = report_of(list_of(root.at("files"), read_file), shard->settings);
+  ValidationReport out = report_of(root.at("files").each(read_checked), shard->settings);
   out.settings_hash = digest(root.at("settings").at("hash"), 32);
   out.unknown = root.at("notRecognised").texts();
   if (node.has("notOpened")) out.not_opened = node.at("notOpened").texts();
