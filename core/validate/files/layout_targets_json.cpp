@@ -133,7 +133,7 @@ LayoutFacts read_facts(const JsonNode& root, const std::string& path) {
     if (root.has("mips")) out.common.mips = root.at("mips").integer(0, 16);
     if (root.has("transfer")) {
       out.common.transfer = texture_transfer_named(root.at("transfer").text());
-      if (!out.common.transfer) root.at("transfer").fail_type("srgb, gamma22 or linear");
+      if (!out.common.transfer) root.at("transfer").fail_type("srgb, power-2.2 or linear");
     }
   }
   out.common.specular_weighs_diffuse =

@@ -184,7 +184,7 @@ ReportShard read_member(const JsonNode& node, const JsonNode& settings) {
   out.verdict.max_warnings = maybe(verdict.at("maxWarnings"), whole);
   if (!least.text().empty()) out.verdict.min_severity = name(severity_at(least));
   out.settings.profile = word(settings.at("profile"), profile_named, "default, strict, film or custom");
-  out.settings.transfer = word(settings.at("transfer"), texture_transfer_named, "srgb, gamma22 or linear");
+  out.settings.transfer = word(settings.at("transfer"), texture_transfer_named, "srgb, power-2.2 or linear");
   out.settings.fail_on = severity_at(settings.at("failOn"));
   out.allowances = list_of(node.at("allowances"), read_allowance);
   return out;
