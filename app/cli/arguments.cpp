@@ -141,6 +141,16 @@ Option Command::flag(const std::string& names, std::function<void()> hear, const
   return Option(app_->add_flag_callback(names, std::move(hear), help));
 }
 
+void Command::refuse(const std::string& names, const std::string& why, const std::string& expected) {
+  app_->add_option_function<std::vector<std::string>>(names,
+                                                      [=](const std::vector<std::string>&) {
+                                                        throw Error::at(names.substr(0, names.find(',')), why,
+                                                                        expected);
+                                                      })
+      ->expected(0, 1)
+      ->group("");
+}
+
 std::optional<Option> Command::find(const std::string& name) const {
   CLI::Option* const option = app_->get_option_no_throw(name);
   return option == nullptr ? std::nullopt : std::optional<Option>(Option(option));

@@ -76,6 +76,9 @@ class Command {
   Option flag(const std::string& names, bool& value, const std::string& help);
   Option flag(const std::string& names, std::function<void()> hear, const std::string& help);
 
+  /// An option of other verbs that this one cannot have. The help does not show it; given, it is an Error.
+  void refuse(const std::string& names, const std::string& why, const std::string& expected);
+
   /// The option that was added under this name, with its dashes.
   std::optional<Option> find(const std::string& name) const;
 

@@ -70,7 +70,7 @@ int run(std::vector<std::string> words) {
   if (words.size() > 1 && words[1] == "version") words[1] = "--version";
   CommandLine line("etak: measured optics into materials a renderer can trust", "etak");
   bool version = false, as_json = false;
-  line.top().flag("-V,--version", version, "print the version and stop");
+  line.top().flag("-V,-v,--version", version, "print the version and stop");
   line.top().flag("--json", as_json, "with --version: as JSON");
   line.top().footer(
       "Exit status: 0 done, 1 a named input was refused, 2 bad input, option or output.\n"

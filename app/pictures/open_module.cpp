@@ -47,7 +47,7 @@ PictureDoor picture_door_behind(const OpenDoors& doors) {
     return doors(label).picture_door().bytes(bytes, label);
   };
   door.encode = [doors](const Image& image, std::string_view format, std::string_view fourth) {
-    return doors(setting("format")).picture_door().encode(image, format, fourth);
+    return doors(setting("textures")).picture_door().encode(image, format, fourth);
   };
   return door;
 }

@@ -58,12 +58,11 @@ PackSettings pack_settings(const std::string& input, const std::string& output, 
   out.out = output;
   for (const auto& [key, value] : given) {
     const std::string keyword = key.cast<std::string>();
-    std::string name = keyword;
-    std::replace(name.begin(), name.end(), '_', '-');
-    const auto rows = pack_setting_rows();
-    const auto row = std::ranges::find(rows, name, &PackSettingRow::name);
-    if (row == rows.end())
-      throw py::type_error("pack() got an unexpected keyword argument '" + keyword + "'");
+    std::string remark;
+    const PackSettingRow* const row = find_pack_setting(keyword, remark);
+    if (row == nullptr) throw py::type_error("pack() got an unexpected keyword argument '" + keyword + "'");
+    if (!remark.empty() && PyErr_WarnEx(PyExc_FutureWarning, remark.c_str(), 2) != 0)
+      throw py::error_already_set();
     if (!value.is_none()) read_pack_setting(*row, KeywordValue{keyword, value}, {}, out);
   }
   return out;
@@ -77,7 +76,7 @@ PackOptions options_of(const PackSettings& settings, const Keywords& given, int 
     return pictures(printable(name)).open_source(config, name);
   };
   if (writes_floats(out.output.write))
-    (void)pictures(setting("format"));  // throws before the work where the module is missing
+    (void)pictures(setting("textures"));  // throws before the work where the module is missing
   out.output.overwrite = given.yes("force");
   out.output.update = given.yes("update");
   out.output.dry_run = given.yes("dry_run");

@@ -29,7 +29,7 @@ struct PictureHeader {
   bool strips = false;    // a PNG of a form whose rows PngReader reads one by one; tRNS is not looked at
   bool lossy = false;     // the compression changed the values: JPEG, lossy WebP, DWA, block formats
   std::string format{};   // OpenImageIO's name of the format: "png", "jpeg", "openexr", ...
-  // The transfer curve that the file declares: "srgb", "linear", "gamma22", "gamma 0.6", "a curve of its
+  // The transfer curve that the file declares: "srgb", "linear", "power-2.2", "gamma 0.6", "a curve of its
   // own", or "icc: NAME" for a colour profile that icc_colors() cannot read; empty where the file declares
   // none.
   std::string colour_space{};

@@ -12,7 +12,8 @@
 namespace etak {
 namespace {
 
-constexpr std::array<std::pair<Transfer, std::string_view>, 4> names{{{Transfer::srgb, "srgb"},
+constexpr std::array<std::pair<Transfer, std::string_view>, 5> names{{{Transfer::srgb, "srgb"},
+                                                                      {Transfer::power_22, "power-2.2"},
                                                                       {Transfer::power_045, "power-0.45"},
                                                                       {Transfer::square_root, "sqrt"},
                                                                       {Transfer::linear, "linear"}}};
@@ -44,6 +45,8 @@ real encode(Transfer transfer, real x) {
   switch (transfer) {
     case Transfer::srgb:
       return srgb_encode(x);
+    case Transfer::power_22:
+      return power22_encode(x);
     case Transfer::power_045:
       return power045_encode(x);
     case Transfer::square_root:
@@ -59,6 +62,7 @@ real decode(Transfer transfer, real y) {
   switch (transfer) {
     case Transfer::srgb:
       return srgb_decode(y);
+    case Transfer::power_22:
     case Transfer::power_045:
       return power22_decode(y);
     case Transfer::square_root:
@@ -153,7 +157,8 @@ class CodeTable {
 };
 
 const CodeTable& table_of(Transfer transfer) {
-  static const std::array<CodeTable, 4> tables{CodeTable(Transfer::srgb), CodeTable(Transfer::power_045),
+  static const std::array<CodeTable, 5> tables{CodeTable(Transfer::srgb), CodeTable(Transfer::power_22),
+                                               CodeTable(Transfer::power_045),
                                                CodeTable(Transfer::square_root), CodeTable(Transfer::linear)};
   return tables[static_cast<std::size_t>(transfer)];
 }

@@ -11,7 +11,7 @@
 
 namespace etak {
 
-std::string_view name(Transfer transfer);  // "srgb", "power-0.45", "sqrt", "linear"
+std::string_view name(Transfer transfer);  // "srgb", "power-2.2", "power-0.45", "sqrt", "linear"
 std::optional<Transfer> transfer_named(std::string_view text);
 
 std::string_view name(Tone tone);  // "plain", "neutral", "agx-like", "false-color"

@@ -124,7 +124,7 @@ struct SurfaceTextures {
 };
 
 enum class Shape { sphere, quad };
-enum class Transfer { srgb, power_045, square_root, linear };
+enum class Transfer { srgb, power_22, power_045, square_root, linear };
 /// What is done to exposed light before the transfer: core/light/tone.glsl.
 enum class Tone { plain, neutral, agx_like, false_color };
 

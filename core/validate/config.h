@@ -26,10 +26,11 @@ struct RolePattern {
 /// What an etak.toml holds.
 struct ValidateConfig {
   Settings settings;
-  std::vector<RolePattern> roles;  // in the order of the file; they are tried before all endings
-  std::vector<OwnName> names;      // [names]: endings that are tried before the built-in ones
-  std::string file;                // that was read; empty: none
-  std::string root;                // absolute path of the file's folder, which labels are relative to
+  std::vector<RolePattern> roles;    // in the order of the file; they are tried before all endings
+  std::vector<OwnName> names;        // [names]: endings that are tried before the built-in ones
+  std::string file;                  // that was read; empty: none
+  std::string root;                  // absolute path of the file's folder, which labels are relative to
+  std::vector<std::string> remarks;  // on words that are now called otherwise
   friend bool operator==(const ValidateConfig&, const ValidateConfig&) = default;
 };
 

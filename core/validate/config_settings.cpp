@@ -31,7 +31,10 @@ ValidateConfig validate_config(const ValidateSettings& given, const std::string&
   out.profile =
       setting_value("profile", given.profile, out.profile, profile_named, "default, strict, film or custom");
   out.transfer = setting_value("transfer", given.transfer, out.transfer, texture_transfer_named,
-                               "srgb, power-2.2 (also gamma22) or linear");
+                               "srgb, power-2.2 or linear");
+  if (given.transfer == older_power_22)
+    config.remarks.push_back(setting("transfer") + " " + given.transfer + ": is now called " +
+                             std::string(name(out.transfer)));
   out.transfer_stated = out.transfer_stated || !given.transfer.empty();
   if (given.fail_on != never_fails)
     out.fail_on = setting_value("fail-on", given.fail_on, out.fail_on, finding_severity,

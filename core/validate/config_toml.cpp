@@ -106,9 +106,12 @@ void read_profile(const Node& node, ValidateConfig& config) {
 }
 
 void read_transfer(const Node& node, ValidateConfig& config) {
-  constexpr std::string_view expected = "srgb, gamma22 or linear";
+  constexpr std::string_view expected = "srgb, power-2.2 or linear";
   const auto transfer = texture_transfer_named(node.text(expected));
   if (!transfer) node.fail_value(expected);
+  if (node.text() != name(*transfer))
+    config.remarks.push_back(printable(node.file) + ": " + node.name + ": " + node.text() +
+                             " is now called " + std::string(name(*transfer)));
   config.settings.transfer = *transfer;
   config.settings.transfer_stated = true;
 }

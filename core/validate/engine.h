@@ -77,6 +77,10 @@ Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const C
 /// count). Called again after findings have been marked.
 ValidationReport report_of(std::vector<CheckedFile> files, const Settings& settings);
 
+/// Where several sets find the same of a picture that they share, adds to each finding which set it is of. Done
+/// last, in reports of whole runs only: a shard does not know the sets of the others.
+void tell_sets_apart(ValidationReport& report);
+
 /// What report_of_run() needs besides the configuration.
 ///   today         "YYYY-MM-DD" for allowances that expire; empty: the system's date
 ///   whole_tree    everything below the configuration's folder was looked at

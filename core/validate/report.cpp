@@ -3,8 +3,10 @@
 #include <array>
 #include <ctime>
 #include <filesystem>
+#include <map>
 
 #include "core/base/system.h"
+#include "core/base/text/text.h"
 #include "core/validate/engine.h"
 #include "core/validate/rules.h"
 #include "core/validate/shards/report_shard.h"
@@ -71,6 +73,22 @@ ValidationReport report_of(std::vector<CheckedFile> files, const Settings& setti
   return report;
 }
 
+void tell_sets_apart(ValidationReport& report) {
+  struct Told {
+    Finding* finding;
+    const std::string* set;
+  };
+  std::map<std::string, std::vector<Told>> alike;
+  for (CheckedFile& set : report.files)
+    for (Finding& finding : set.findings)
+      if (!finding.file.empty() && finding.file != set.path)
+        alike[joined(std::array{finding.file, finding.rule, finding.tile, finding.message}, "\n")].push_back(
+            {&finding, &set.path});
+  for (const auto& [text, told] : alike)
+    for (const Told& each : told)
+      if (*told.front().set != *told.back().set) each.finding->message += ", in the set of " + *each.set;
+}
+
 ValidationReport report_of_run(std::vector<CheckedFile> files, const ValidateConfig& config,
                                const ReportRun& run) {
   ValidationReport out = report_in_order(std::move(files), config.settings);
@@ -80,6 +98,7 @@ ValidationReport report_of_run(std::vector<CheckedFile> files, const ValidateCon
   else
     mark_known(out, run.known);
   out = report_of(std::move(out.files), config.settings);
+  if (run.shard == nullptr) tell_sets_apart(out);
   out.settings_hash = settings_hash(config.settings);
   return out;
 }

@@ -19,7 +19,7 @@ constexpr std::array<std::pair<Profile, std::string_view>, 4> profiles{{{Profile
                                                                         {Profile::custom, "custom"}}};
 constexpr std::array<std::pair<TextureTransfer, std::string_view>, 3> transfers{
     {{TextureTransfer::srgb, "srgb"},
-     {TextureTransfer::gamma22, "gamma22"},
+     {TextureTransfer::power_22, "power-2.2"},
      {TextureTransfer::linear, "linear"}}};
 
 template <class Rows, class Value>
@@ -57,7 +57,7 @@ std::string_view name(TextureTransfer transfer) {
 }
 
 std::optional<TextureTransfer> texture_transfer_named(std::string_view text) {
-  return named_in(transfers, text == "power-2.2" ? "gamma22" : text);  // as --space-of and MaterialX say it
+  return named_in(transfers, text == older_power_22 ? name(TextureTransfer::power_22) : text);
 }
 
 std::size_t least_region(const ZoneSettings& zone, std::size_t tile_texels) {

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/atlas/pack/settings.h"
@@ -14,8 +15,9 @@ using namespace etak;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::vector<char> bytes(data, data + size);
   std::vector<PackSettings> jobs;
+  std::vector<std::string> remarks;
   try {
-    jobs = parse_pack_jobs({bytes.data(), bytes.size()}, "folder/jobs.json", {});
+    jobs = parse_pack_jobs({bytes.data(), bytes.size()}, "folder/jobs.json", {}, remarks);
   } catch (const Error&) {
     return 0;
   }

@@ -16,14 +16,13 @@ NOT_IN_PYTHON = {
     "f0": {"stdin_format", "allow_empty", "all", "all_datasets", "force", "integration", "class"},
     "validate": {"changed_since", "min_severity", "mask", "fix", "cache_key", "max_warnings", "exit_zero",
                  "write_baseline", "force"},
-    "pack": {"no_validate", "cache", "cache_key", "cache_size",  # validate=False
-             "textures", "gloss_channel"},  # format= and gloss=, as in the jobs of a batch
+    "pack": {"no_validate", "cache", "cache_key", "cache_size"},  # validate=False
     "choose": {"all", "measure", "write_costs", "force", "dataset", "unit", "columns", "duplicates", "class", "origin"},
 }
 ONLY_IN_PYTHON = {
     "f0": {"material", "material_class", "n", "k", "wavelength", "reflectance", "threads"},
     "validate": {"paths", "threads", "progress"},
-    "pack": {"input", "output", "validate", "threads", "progress", "format", "gloss"},
+    "pack": {"input", "output", "validate", "threads", "progress"},
     "choose": {"materials", "threads", "progress"},
 }
 

@@ -134,7 +134,7 @@ class Packing(Work):
             "page: True; expected a number": {"page": True},
             "page_form: round; expected": {"page_form": "round"},
             "islands: 1; expected True or False": {"islands": 1},
-            "format: gif; expected png, ktx2": {"format": "gif"},
+            "textures: gif; expected png, ktx2": {"textures": "gif"},
             "gutter: wide; expected auto": {"gutter": "wide"},
             "keep: x; expected": {"keep": ["x"]},
             "memory: lots; expected a number of bytes": {"memory": "lots"},
@@ -147,6 +147,12 @@ class Packing(Work):
         self.assertFalse(Path("out").exists())
         self.assertEqual(etak.pack("materials.json", "out", gutter=4, mips=2, page_form="pot").materials, 2)
         self.assertIn("page_form", etak.pack_settings())
+        self.assertIn("textures", etak.pack_settings())
+        with self.assertWarnsRegex(FutureWarning, "^format: is now called textures$") as warned:
+            etak.pack("materials.json", "older", format="png")
+        self.assertEqual(warned.filename, __file__)
+        with self.assertWarnsRegex(FutureWarning, "^gloss: is now called gloss-channel$"):
+            etak.pack("materials.json", "older", gloss="roughness", force=True)
 
     def test_mistakes_have_the_text_of_the_command_line(self):
         Path("taken").mkdir()

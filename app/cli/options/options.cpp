@@ -14,6 +14,11 @@
 #include "core/material/find.h"
 
 namespace etak::cli {
+namespace {
+
+constexpr const char* computation = "Computation";  // heading in the help
+
+}  // namespace
 
 const MaterialLibrary& Library::get() {
   if (library_) return *library_;
@@ -43,8 +48,8 @@ void add_library_options(Command verb, Library& library) {
       .common();
 }
 
-void add_compute_options(Command verb, F0Settings& settings) {
-  const std::string group = "Computation";
+void add_solver_options(Command verb, F0Settings& settings) {
+  const std::string group = computation;
   const auto add = [&](const char* name, std::string& value, const char* text) {
     return verb.option(name, value, text).group(group);
   };
@@ -64,14 +69,6 @@ void add_compute_options(Command verb, F0Settings& settings) {
   add("--integration-bound", settings.integration_bound,
       "of the estimated error of X, Y and Z, for --integration auto (default 1e-5)")
       .value_name("NUMBER");
-  add("--space", settings.space,
-      "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any case, or "
-      "a "
-      "colour space of an OpenColorIO config")
-      .value_name("SPACE");
-  add("--ocio", settings.ocio, "OpenColorIO config to look --space up in (else $OCIO, else etak's own)")
-      .reads_file()
-      .value_name("CONFIG");
   add("--outside", settings.outside, "medium in front: an index of refraction or a material such as water")
       .value_name("NUMBER|MATERIAL");
   verb.flag("--axis-average", settings.axis_average,
@@ -81,6 +78,20 @@ void add_compute_options(Command verb, F0Settings& settings) {
   verb.flag("--allow-extrapolation", settings.allow_extrapolation,
             "give results where the data hold less than 0.95 of the luminous weight")
       .group(group);
+}
+
+void add_compute_options(Command verb, F0Settings& settings) {
+  add_solver_options(verb, settings);
+  verb.option("--space", settings.space,
+              "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any "
+              "case, or a colour space of an OpenColorIO config")
+      .value_name("SPACE")
+      .group(computation);
+  verb.option("--ocio", settings.ocio,
+              "OpenColorIO config to look --space up in (else $OCIO, else etak's own)")
+      .reads_file()
+      .value_name("CONFIG")
+      .group(computation);
 }
 
 F0Options f0_options(const F0Settings& settings, Library& library) {

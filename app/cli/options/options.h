@@ -38,8 +38,10 @@ void add_library_options(Command verb, Library& library);
 /// Adds --class, which may be given more than once.
 void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help);
 
-/// Adds the options that say how F0 is computed.
+/// Adds the options that say how F0 is computed: those of the spectrum, and of the colour space.
 void add_compute_options(Command verb, F0Settings& settings);
+/// Those of the spectrum alone.
+void add_solver_options(Command verb, F0Settings& settings);
 /// The options of the line as values. Throws Error that names the option and what it takes.
 F0Options f0_options(const F0Settings& settings, Library& library);
 

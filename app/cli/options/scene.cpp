@@ -99,6 +99,9 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
   blank.opacity = arguments.opacity.value_or(1);
   if (!arguments.diffuse.empty()) blank.diffuse = vec(typed_share("--diffuse", arguments.diffuse));
   if (arguments.subject.front().find('=') != std::string::npos) {
+    if (arguments.compute != F0Settings{})
+      throw Error::at(arguments.subject.front(), "beside an option that says how F0 is computed",
+                      "a material");
     notes.subject = joined(arguments.subject, " ");
     return made_up(arguments.subject, blank);
   }
@@ -114,36 +117,10 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
   const Material material = read_material(inputs[0], table_options(arguments.tables));
   const Dataset& dataset = dataset_named(material, inputs[0].dataset, inputs[0].label());
   notes.subject = material.id + "/" + dataset.id;
-  if (std::string remark = class_remark(material); !remark.empty())
-    notes.remarks.push_back(material.id + ": " + remark);
-  const bool dielectric = optical_kind(material.material_class) == "dielectric";
-  const Clarity body = clarity(material, dataset);
-  const bool clear = body.clear && blank.diffuse == Vec3{0, 0, 0};
-  if (!given) {
-    const DefaultGloss standard = default_gloss(material, clear);
-    // Where the default is a perfect mirror, the picture takes the highest gloss instead: in a mirror the
-    // lights are points that no pixel hits.
-    blank.gloss = Gloss(double{standard.gloss});
-    notes.remarks.push_back(default_gloss_remark(standard) +
-                            (standard.gloss.held() ? "; drawn with " + roughness_text(blank.gloss) +
-                                                         ", in which the lights can be seen"
-                                                   : ""));
-  }
-  const F0Result result = solve_averaged(arguments.axis_average, F0Solver(F0Options{}), material, dataset);
-  SurfaceValues out = surface_of(material, dataset, result, blank.diffuse, blank.gloss);
-  // n and k are of one axis, which the reference would draw.
-  if (arguments.axis_average && !dataset.axis.empty()) out.optics.reset();
-  out.opacity = arguments.opacity.value_or(clear ? 0 : 1);
-  if (clear && !arguments.opacity)
-    notes.remarks.push_back("the body of " + material.id + " is clear (" + body.reason +
-                            "): what is behind it is seen through it; --opacity 1 draws its surface alone");
-  if (dielectric && !body.clear && blank.diffuse == Vec3{0, 0, 0})
-    notes.remarks.push_back(material.id + ": " + black_body_remark(body));
-  if (!gives_f0(material.material_class))
-    notes.remarks.push_back(total_reflectance_remark({to_rgb(out.diffuse), to_rgb(out.f0)}));
-  if (!dielectric && !arguments.diffuse.empty())
-    notes.remarks.push_back(material.id + " is a " + std::string(optical_kind(material.material_class)) +
-                            ": --diffuse is not used");
+  SurfaceValues out = surface_of(material, dataset, blank.diffuse, given, arguments, notes);
+  if (const std::string_view kind = optical_kind(material.material_class);
+      kind != "dielectric" && !arguments.diffuse.empty())
+    notes.remarks.push_back(material.id + " is a " + std::string(kind) + ": --diffuse is not used");
   return out;
 }
 
@@ -197,6 +174,42 @@ std::pair<int, int> size_of(const std::string& text) {
 
 }  // namespace
 
+SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
+                         const std::optional<Gloss>& given, SceneArguments& arguments, SceneNotes& notes) {
+  if (std::string remark = class_remark(material); !remark.empty())
+    notes.remarks.push_back(material.id + ": " + remark);
+  const bool dielectric = optical_kind(material.material_class) == "dielectric";
+  const Clarity body = clarity(material, dataset);
+  const bool black = diffuse == Vec3{0, 0, 0}, clear = body.clear && black;
+  Gloss gloss = given.value_or(1.0);
+  if (!given) {
+    const DefaultGloss standard = default_gloss(material, clear);
+    // Where the default is a perfect mirror, the picture takes the highest gloss instead: in a mirror the
+    // lights are points that no pixel hits.
+    gloss = Gloss(double{standard.gloss});
+    notes.remarks.push_back(
+        default_gloss_remark(standard) +
+        (standard.gloss.held() ? "; drawn with " + roughness_text(gloss) + ", in which the lights can be seen"
+                               : ""));
+  }
+  F0Settings settings = arguments.compute;
+  const F0Result result = solve_averaged(
+      settings.axis_average, F0Solver(f0_options(settings, arguments.library)), material, dataset);
+  SurfaceValues out = etak::surface_of(material, dataset, result, diffuse, gloss);
+  // The reference would draw n and k as they are: of one axis, in air, under D65.
+  settings.axis_average = settings.axis_average && !dataset.axis.empty();
+  if (settings != F0Settings{}) out.optics.reset();
+  out.opacity = arguments.opacity.value_or(clear ? 0 : 1);
+  if (clear && !arguments.opacity)
+    notes.remarks.push_back("the body of " + material.id + " is clear (" + body.reason +
+                            "): what is behind it is seen through it; --opacity 1 draws its surface alone");
+  if (dielectric && !body.clear && black)
+    notes.remarks.push_back(material.id + ": " + black_body_remark(body));
+  if (!gives_f0(material.material_class))
+    notes.remarks.push_back(total_reflectance_remark({to_rgb(out.diffuse), to_rgb(out.f0)}));
+  return out;
+}
+
 void choose_models(Scene& scene, const std::string& specular, const std::string& diffuse,
                    const Overrides& set, std::vector<std::string>& remarks) {
   scene.specular = model_named("--model", specular, default_specular);
@@ -240,7 +253,8 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   std::tie(scene.width, scene.height) = size_of(arguments.size);
   const auto transfer = transfer_named(arguments.transfer);
   if (!transfer)
-    throw Error::at("--transfer", printable(arguments.transfer), "srgb, power-0.45, sqrt or linear");
+    throw Error::at("--transfer", printable(arguments.transfer),
+                    "srgb, power-2.2, power-0.45, sqrt or linear");
   scene.transfer = *transfer;
   const auto tone = tone_named(arguments.tone);
   if (!tone) throw Error::at("--tone", printable(arguments.tone), "plain, neutral, agx-like or false-color");
@@ -276,9 +290,6 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
       .value_name("");
   verb.option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
       .value_name("ID");
-  verb.flag(
-      "--axis-average", arguments.axis_average,
-      "a crystal as random grains: (2 ordinary + extraordinary) / 3, or a third of alpha, beta and gamma");
   verb.option("--model", arguments.model,
               "specular model (see etak models), or none; default " + std::string(default_specular))
       .value_name("MODEL");
@@ -313,11 +324,14 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   add_color_option(verb, "--background", arguments.background, "linear; default 0.18 grey");
   verb.option("--exposure", arguments.exposure, "linear factor").show_default();
   verb.option("--transfer", arguments.transfer, "display curve")
-      .words({"srgb", "power-0.45", "sqrt", "linear"})
+      .words({"srgb", "power-2.2", "power-0.45", "sqrt", "linear"})
       .show_default();
   verb.option("--tone", arguments.tone, "tone curve before --transfer; neutral is Khronos PBR Neutral")
       .words({"plain", "neutral", "agx-like", "false-color"})
       .show_default();
+  add_solver_options(verb, arguments.compute);
+  verb.refuse("--space", "pictures and their lights are in linear sRGB",
+              "etak f0 or etak export with --space, whose values are");
   add_table_options(verb, arguments.tables);
   add_library_options(verb, arguments.library);
 }

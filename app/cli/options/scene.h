@@ -17,7 +17,7 @@ struct SceneArguments {
   std::vector<std::string> subject;  // a material, or a surface in numbers: NAME=NUMBER[,NUMBER,NUMBER]
   std::string dataset;
   TableSettings tables;
-  bool axis_average = false;
+  F0Settings compute;
   std::string model, diffuse_model;
   std::vector<std::string> set;
   std::string diffuse, background;  // colours as typed
@@ -44,6 +44,13 @@ void tell_held_gloss(const Scene& scene, SceneNotes& notes);
 
 /// The scene that the options describe. Throws Error that names the option or file.
 Scene scene_of(SceneArguments& arguments, SceneNotes& notes);
+
+/// The surface of a material under the options.
+///   diffuse   of dielectrics
+///   given     its gloss; none: the default of its class, with a remark
+///   notes     gets what is assumed about the body
+SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
+                         const std::optional<Gloss>& given, SceneArguments& arguments, SceneNotes& notes);
 
 /// Chooses the models of a scene and their values. `set` may change the colours and the gloss of the surface
 /// too; the light of hemispheres and environment then uses the changed values. Throws Error.

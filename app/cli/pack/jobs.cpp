@@ -27,7 +27,10 @@ namespace fs = std::filesystem;
 namespace {
 
 std::vector<PackSettings> read_jobs(const PackArguments& line) {
-  const std::vector<PackSettings> jobs = parse_pack_jobs(read_file(line.batch), line.batch, line.settings);
+  std::vector<std::string> remarks;
+  const std::vector<PackSettings> jobs =
+      parse_pack_jobs(read_file(line.batch), line.batch, line.settings, remarks);
+  for (const std::string& each : remarks) remark(shown_as(line), each);
   std::map<std::string, std::size_t> outs;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const auto [same, fresh] = outs.try_emplace(sys::path_text(fs::path(jobs[i].out).lexically_normal()), i);
@@ -105,9 +108,7 @@ int pack_batch(PackArguments& line) {
   const std::vector<PackSettings> jobs = read_jobs(line);
   if (!line.batch_report.empty()) check_file_target(line.batch_report, true);
   refuse_input(line.batch_report);
-  OutputArguments shown;
-  shown.quiet = line.quiet;
-  shown.progress = line.progress;
+  const OutputArguments shown = shown_as(line);
   const auto shard = asked_shard(line.shard);
   const auto [first, last] =
       shard ? items_of(*shard, bytes_of(jobs)) : std::pair(std::size_t{0}, jobs.size());

@@ -74,9 +74,7 @@ int with_cache(PackArguments& a, int (*work)(PackArguments&), bool again) {
   const CacheUse use = a.kept->folder().use();
   a.kept.reset();
   if (const auto report = cache_report(a.cache, use, replace)) report->commit();
-  OutputArguments remarks;
-  remarks.quiet = a.quiet;
-  tell_cache(a.cache, use, remarks);
+  tell_cache(a.cache, use, shown_as(a));
   return status;
 }
 

@@ -30,6 +30,7 @@ namespace {
 PackCheckOptions check_options(PackArguments& a) {
   PackCheckOptions out;
   out.config = validate_config(a.check, a.settings.out + "/layout.json", asked_materials(a.library));
+  for (const std::string& each : out.config.remarks) remark(shown_as(a), each);
   out.never_fails = a.check.fail_on == never_fails;
   out.threads = thread_count(a.threads);
   out.version = ETAK_VERSION;
@@ -55,14 +56,12 @@ PackTold told_of(const PackResult& report, const PackCheck* check, bool stages) 
 
 // Writes the report and the findings. Returns the exit status.
 int say(const PackArguments& a, const PackTold& told) {
-  OutputArguments remarks;
-  remarks.quiet = a.quiet;
   if (a.report == "json")
     write_output({}, told.json);
   else if (a.report == "text" && !a.quiet)
     write_output({}, told.text + (use_color({}) ? told.findings_in_colour : told.findings));
   if (a.report != "json")
-    for (const std::string& each : told.remarks) remark(remarks, each);
+    for (const std::string& each : told.remarks) remark(shown_as(a), each);
   // The reason of an exit status other than 0 is always told, even where the report is not.
   const bool verdict_shown = a.report == "json" || (a.report == "text" && !a.quiet);
   if ((told.failed || told.incomplete) && !verdict_shown) complain(a.settings.out + ": " + told.verdict);
@@ -104,6 +103,13 @@ void check_page_report(const PackArguments& a) {
 
 }  // namespace
 
+OutputArguments shown_as(const PackArguments& arguments) {
+  OutputArguments out;
+  out.quiet = arguments.quiet;
+  out.progress = arguments.progress;
+  return out;
+}
+
 int pack_once(PackArguments& a) {
   if (a.settings.input.empty())
     throw Error::at("etak pack", "nothing to pack", "a manifest, a glTF scene or a folder");
@@ -126,10 +132,7 @@ int pack_once(PackArguments& a) {
   if (checking) check.emplace(a.settings.out, *checking).attach(options);
   PackPage page(a);
   page.attach(options);
-  OutputArguments shown;
-  shown.quiet = a.quiet;
-  shown.progress = a.progress;
-  std::optional<Progress> progress(std::in_place, shown, 0, "pack");
+  std::optional<Progress> progress(std::in_place, shown_as(a), 0, "pack");
   options.run.progress = [&](std::size_t done, std::size_t all) { progress->set(done, all); };
   std::optional<PackCache::Keeping> keeping;
   options.check.beside = [&](PackResult& report, OutputFolder* folder) {

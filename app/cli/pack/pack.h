@@ -35,6 +35,9 @@ struct PackArguments {
   std::string told;  // with --batch-report: the report of the atlas that was packed last, as JSON
 };
 
+/// How remarks and progress of the run are to be shown.
+OutputArguments shown_as(const PackArguments& arguments);
+
 /// Adds the verb to `line`, which reads its options into `arguments`.
 void declare_pack(CommandLine& line, const std::shared_ptr<PackArguments>& arguments);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pictures/sheet.h"
 
+#include <utility>
+
 #include "app/cli/output/progress.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -15,28 +17,27 @@ struct Column {
   const char* label;
   const char* material;
   Vec3 diffuse;
-  double opacity;  // 0 for clear bodies, which show the background
 };
-constexpr Column columns[] = {{"gold", "gold", {0, 0, 0}, 1},
-                              {"copper", "copper", {0, 0, 0}, 1},
-                              {"silver", "silver", {0, 0, 0}, 1},
-                              {"iron", "iron", {0, 0, 0}, 1},
-                              {"glass", "fused_silica", {0, 0, 0}, 0},
-                              {"water", "water", {0, 0, 0}, 0},
-                              {"plastic", "pmma", {0.5, 0.04, 0.03}, 1},
-                              {"silicon", "silicon", {0, 0, 0}, 1}};
+constexpr Column columns[] = {{"gold", "gold", {0, 0, 0}},
+                              {"copper", "copper", {0, 0, 0}},
+                              {"silver", "silver", {0, 0, 0}},
+                              {"iron", "iron", {0, 0, 0}},
+                              {"glass", "fused_silica", {0, 0, 0}},
+                              {"water", "water", {0, 0, 0}},
+                              {"plastic", "pmma", {0.5, 0.04, 0.03}},
+                              {"silicon", "silicon", {0, 0, 0}}};
 
 // The models that the others are compared with.
 constexpr const char* diffuse_reference = "lambert";
 constexpr const char* specular_reference = "ggx-exact";
 
-SurfaceValues surface(const Column& column, Library& library, const Gloss& gloss) {
-  const auto material = library.get().find(column.material);
+SurfaceValues surface(const Column& column, SceneArguments& typed, const Gloss& gloss, SceneNotes& notes) {
+  const auto material = typed.library.get().find(column.material);
   if (!material)
     throw Error::at("--sheet", std::string("the library has no ") + column.material, "etak's own library");
-  SurfaceValues out = surface_of(*material, material->preferred_dataset(), column.diffuse, gloss);
-  out.opacity = column.opacity;
-  return out;
+  if (column.diffuse != Vec3{})
+    notes.remarks.push_back(material->id + ": the colour of the body is made up, for " + column.label);
+  return surface_of(*material, material->preferred_dataset(), column.diffuse, gloss, typed, notes);
 }
 
 // The part of the sheet that a model is in.
@@ -54,8 +55,10 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
     throw Error::at("--sheet", typed.subject.front(), "no SUBJECT: the sheet has its own");
   if (typed.size == "512") typed.size = "128";
   typed.subject = {"f0=0.04"};
+  const F0Settings compute = std::exchange(typed.compute, {});  // of the columns
   SceneNotes notes;
   scene = scene_of(typed, notes);
+  typed.compute = compute;
   // All columns have the same roughness, so that they can be compared: the given one, else the gloss of
   // metals.
   const Gloss gloss = given_gloss(typed.rough).value_or(Gloss(0.75));
@@ -68,8 +71,9 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
   std::vector<SurfaceValues> surfaces;
   for (const Column& column : columns) {
     sheet.columns.emplace_back(column.label);
-    surfaces.push_back(surface(column, typed.library, gloss));
+    surfaces.push_back(surface(column, typed, gloss, notes));
   }
+  for (const std::string& each : notes.remarks) remark(arguments.stats, each);
   const auto wanted = [&](std::string_view part) {
     return arguments.part == "all" || arguments.part == part;
   };

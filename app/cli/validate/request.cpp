@@ -26,6 +26,7 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   auto known = asked_materials(arguments.library);
   out.config = validate_config(arguments.settings, arguments.paths.empty() ? "" : arguments.paths.front(),
                                std::move(known));
+  for (const std::string& each : out.config.remarks) remark(arguments.output, each);
   out.list = arguments.files_from;
   if (!arguments.files_from.empty()) out.listed = ListedNames(arguments.files_from).take();
   if (!arguments.changed_since.empty()) {

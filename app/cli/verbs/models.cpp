@@ -8,15 +8,23 @@
 namespace etak::cli {
 
 void add_models(CommandLine& line) {
-  const auto output = std::make_shared<OutputArguments>();
+  struct ModelsArguments {
+    std::string search;
+    OutputArguments output;
+  };
+  const auto arguments = std::make_shared<ModelsArguments>();
   Command verb =
       line.verb("models", "shading models, their terms and the kinds of light, with what they claim");
-  add_output_options(verb, *output, {"table", "json", "csv"});
+  verb.option("TEXT", arguments->search, "only what has TEXT in id, kind or title, such as ggx or transfer")
+      .value_name("");
+  add_output_options(verb, arguments->output, {"table", "json", "csv"});
   verb.footer("Example:\n  etak models --format csv");
-  verb.runs([output] {
-    write_output(*output, output->format == "json"  ? models_json()
-                          : output->format == "csv" ? models_csv()
-                                                    : models_table(!output->quiet));  // the legend is no data
+  verb.runs([arguments] {
+    const auto& [search, output] = *arguments;
+    write_output(output, output.format == "json" ? models_json(search)
+                         : output.format == "csv"
+                             ? models_csv(search)
+                             : models_table(!output.quiet, search));  // the legend is no data
     return exit_ok;
   });
 }

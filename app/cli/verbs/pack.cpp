@@ -37,7 +37,7 @@ Option add_setting(Command verb, const PackSettingRow& row, const std::string& n
 
 // The settings that the short help shows, beside the options that every verb has there.
 bool in_short_help(std::string_view name) {
-  return name == "page" || name == "islands" || name == "format" || name == "gltf-form";
+  return name == "page" || name == "islands" || name == "textures" || name == "gltf-form";
 }
 
 // --gloss is a number in every other verb.
@@ -61,7 +61,7 @@ void take_format(PackArguments& a, const std::string& typed) {
 
 void add_settings(Command verb, PackSettings& settings) {
   for (const PackSettingRow& row : pack_setting_rows()) {
-    const std::string name = row.option_name();
+    const std::string name = "--" + std::string(row.name);
     Option option =
         std::visit([&](auto member) { return add_setting(verb, row, name, settings.*member); }, row.value);
     if (!in_short_help(row.name)) option.group(std::string(row.group));
@@ -69,7 +69,7 @@ void add_settings(Command verb, PackSettings& settings) {
     if (!row.words.empty()) option.one_of(row.word_list());
     if (!row.value_name.empty()) option.value_name(std::string(row.value_name));
     if (row.is(PackSettingRow::commas)) option.separated_by(',');
-    if (row.name == "gloss") add_older_gloss(verb, settings, row.word_list());
+    if (row.older == "gloss") add_older_gloss(verb, settings, row.word_list());
     if (!row.is(PackSettingRow::shown)) continue;
     const auto* const text = std::get_if<std::string PackSettings::*>(&row.value);
     if (text != nullptr && (settings.**text).empty())

@@ -267,7 +267,7 @@ def pack(
       update     do nothing where the result of the same input and settings is in place
       validate   check the pages; fail_on, config and no_config are those of validate()
       memory     the most that pages may take: bytes, or "512M"
-      settings   those of `etak pack`: page=2048, islands=True, format="png,ktx2", ...; pack_settings() lists them
+      settings   those of `etak pack`: page=2048, islands=True, textures="png,ktx2", ...; pack_settings() lists them
 
     >>> packed = etak.pack("materials.json", "atlas", page=1024, keep="all")
     >>> packed.materials, packed.report.passed

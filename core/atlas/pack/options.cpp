@@ -30,7 +30,7 @@ std::vector<std::string> formats(const std::string& list) {
     const bool known = std::find(page_formats.begin(), page_formats.end(), each) != page_formats.end();
     const bool twice = std::find(out.begin(), out.end(), each) != out.end();
     if (!known || twice)
-      throw Error::at(pack_setting("format"), printable(each), "png, ktx2, dds, tiff, exr, each once");
+      throw Error::at(setting("textures"), printable(each), "png, ktx2, dds, tiff, exr, each once");
     out.push_back(each);
   }
   return out;

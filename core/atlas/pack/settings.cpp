@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/pack/settings.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "core/base/number.h"
@@ -57,9 +58,9 @@ constexpr PackSettingRow setting_rows[] = {
      "of a scene with cameras: height of their pictures in pixels; resolution and mips that none of them can "
      "show are left out"},
     {content, "pattern", &S::pattern, 0, 0, "", shown, "of the files in a folder"},
-    {content, "gloss", &S::gloss, 0, 0, "", 0,
+    {content, "gloss-channel", &S::gloss, 0, 0, "", 0,
      "what the gloss channel is to hold: schueler, one_minus_roughness or roughness; default as the input",
-     "schueler one_minus_roughness roughness", "gloss-channel"},
+     "schueler one_minus_roughness roughness", "gloss"},
     {content, "space-of", &S::space_of, 0, 0, "ROLE=SPACE", 0,
      "ROLE=SPACE: colour space of pictures that name none: srgb, linear, power-2.2 or one of the OpenColorIO "
      "config; roles: diffuse, specular, basecolor; may be given again"},
@@ -82,8 +83,8 @@ constexpr PackSettingRow setting_rows[] = {
      "they were): gpu (bytes on a GPU, uncompressed with mips), disk (bytes of the files, which are "
      "compressed to be weighed) or both (shares of the input's, added)",
      "gpu disk both"},
-    {output, "format", &S::format, 0, 0, "LIST", shown,
-     "files of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between", "", "textures"},
+    {output, "textures", &S::format, 0, 0, "LIST", shown,
+     "files of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between", "", "format"},
     {output, "png-level", &S::png_level, 0, 0, "", shown,
      "fast, small or smallest; auto: of each picture the level at which compressing it and sending it once "
      "at 1 "
@@ -107,15 +108,15 @@ std::string PackSettingRow::help_text() const {
   return out;
 }
 
-std::string PackSettingRow::option_name() const {
-  return "--" + std::string(option.empty() ? name : option);
-}
-
-std::string pack_setting(std::string_view name) {
-  const std::string usual = setting(name);
-  for (const PackSettingRow& row : pack_setting_rows())
-    if (row.name == name && usual.starts_with("--")) return row.option_name();
-  return usual;
+const PackSettingRow* find_pack_setting(std::string_view name, std::string& remark) {
+  std::string asked(name);
+  std::ranges::replace(asked, '_', '-');
+  for (const PackSettingRow& row : pack_setting_rows()) {
+    if (row.name != asked && (row.older != asked || asked.empty())) continue;
+    if (row.name != asked) remark = asked + ": is now called " + std::string(row.name);
+    return &row;
+  }
+  return nullptr;
 }
 
 std::span<const PackSettingRow> pack_setting_rows() {

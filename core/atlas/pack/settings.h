@@ -63,10 +63,8 @@ struct PackSettingRow {
   unsigned traits;
   std::string_view help;  // {page} stands for the setting of that name
   std::string_view words = {};
-  std::string_view option = {};  // the name on the command line where it is another one: "textures"
+  std::string_view older = {};  // an older name, which is still known
 
-  /// The name of the option, with its dashes.
-  std::string option_name() const;
   bool is(Trait trait) const { return (traits & trait) != 0; }
   std::vector<std::string> word_list() const;
   /// `help` with the names of other settings as setting() (core/base/setting.h) writes them.
@@ -76,16 +74,18 @@ struct PackSettingRow {
 /// Every setting but input and output, in the order of the help.
 std::span<const PackSettingRow> pack_setting_rows();
 
-/// A setting as the user of the program knows it: setting() (core/base/setting.h) with the name of the option.
-std::string pack_setting(std::string_view name);
+/// The setting of that name, in which '_' stands for '-' too, or of that older name; null: none.
+///   remark   tells of an older name how it is called now; else it stays as it is
+const PackSettingRow* find_pack_setting(std::string_view name, std::string& remark);
 
 /// All settings but input and output as text, which is equal for equal settings only.
 std::string settings_text(const PackSettings& settings);
 
 /// Reads a file of jobs: {"jobs": [{"input", "out", and settings by their names}, ...]}. Paths are
 /// relative to the file. Throws Error with the JSON pointer.
-///   usual   the settings that a job does not name
+///   usual     the settings that a job does not name
+///   remarks   gets what is to be said of names that are now called otherwise
 std::vector<PackSettings> parse_pack_jobs(std::string_view text, const std::string& file,
-                                          const PackSettings& usual);
+                                          const PackSettings& usual, std::vector<std::string>& remarks);
 
 }  // namespace etak

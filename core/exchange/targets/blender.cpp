@@ -22,6 +22,9 @@ void write_blender(const TargetJob& j) {
     j.add("IOR", ior_of_f0(most));
     j.add("IOR Level", 0.5);
     j.add("Specular Tint", most > 0 ? scaled(f0, 1 / most) : grey(1), blender_text);
+    if (j.clear() && f0 != grey(most))
+      j.note("IOR is that of the channel that reflects most, and Specular Tint lowers the others: " +
+             j.index_text() + " by luminance");
   }
   j.add("Roughness", j.roughness());
   if (j.clear()) {

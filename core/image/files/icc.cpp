@@ -167,7 +167,7 @@ std::optional<IccColors> icc_colors(std::string_view profile) {
 std::string power_curve_name(double exponent) {
   if (std::abs(exponent - 1) < 0.01) return "linear";
   // 0.45455 is the power nearest to the sRGB curve, and countless sRGB files declare it.
-  if (std::abs(exponent - 0.45455) < 0.005) return "gamma22";
+  if (std::abs(exponent - 0.45455) < 0.005) return "power-2.2";
   return "gamma " + number(exponent, 5);
 }
 

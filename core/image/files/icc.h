@@ -13,7 +13,7 @@ namespace etak {
 inline constexpr std::size_t largest_profile_bytes = std::size_t{1} << 20;
 
 /// What an ICC profile says about the codes of a picture.
-///   curve       "srgb", "linear", "gamma22", "gamma 0.55556" (the exponent that encodes) or "a curve of its
+///   curve       "srgb", "linear", "power-2.2", "gamma 0.55556" (the exponent that encodes) or "a curve of its
 ///               own"
 ///   primaries   "sRGB", "Display P3", "Adobe RGB", "Rec. 2020", "ProPhoto RGB" or "others"; "greys" for a
 ///               grey profile
@@ -30,7 +30,7 @@ struct IccColors {
 ///             colour model, or that are too large
 std::optional<IccColors> icc_colors(std::string_view profile);
 
-/// The name of a power curve: "linear", "gamma22" (1/2.2, which countless sRGB files declare as the nearest
+/// The name of a power curve: "linear", "power-2.2" (1/2.2, which countless sRGB files declare as the nearest
 /// power) or, for example, "gamma 0.6".
 ///   exponent   of encoding: code = light ^ exponent
 std::string power_curve_name(double exponent);

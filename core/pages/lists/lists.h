@@ -40,9 +40,10 @@ std::string names_jsonl(std::span<const NameAnswer> answers);
 
 /// Shading models, their terms and the kinds of light, with their claims (reciprocal, conserves energy).
 ///   legend   the table ends with an explanation of its marks and kinds
-std::string models_table(bool legend);
-std::string models_csv();
-std::string models_json();
+///   search   only what has this text in id, kind or title, in any case
+std::string models_table(bool legend, const std::string& search = {});
+std::string models_csv(const std::string& search = {});
+std::string models_json(const std::string& search = {});
 
 /// The functions of core/light/functions.h with their inputs, ranges and sources.
 std::string functions_text();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brdf/models.h"
+#include "core/base/error.h"
 #include "core/base/json/json_text.h"
 #include "core/base/number.h"
+#include "core/base/text/ascii.h"
 #include "core/base/text/csv.h"
 #include "core/base/text/text_table.h"
 #include "core/light/rows.h"
@@ -32,19 +34,35 @@ struct ModelRow {
   bool is_default = false;
 };
 
-std::vector<ModelRow> model_rows() {
+// The rows of a registry that have the text in id, kind or title.
+template <class Row>
+std::vector<Row> with_text(std::span<const Row> rows, const std::string& search) {
+  std::vector<Row> out;
+  for (const Row& row : rows)
+    for (const std::string_view text : {row.id, name(row.kind), row.title})
+      if (lower_case(text).find(lower_case(search)) != std::string::npos) {
+        out.push_back(row);
+        break;
+      }
+  return out;
+}
+
+// Throws Error where no row has the text.
+std::vector<ModelRow> model_rows(const std::string& search) {
   std::vector<ModelRow> rows;
   const auto yes_no = [](bool yes) { return yes ? "yes" : "no"; };
-  for (const Model& m : models())
+  for (const Model& m : with_text(models(), search))
     rows.push_back({m.id, name(m.kind), yes_no(m.claims.reciprocal), yes_no(m.claims.conserves_energy),
                     m.claims.note, m.title, m.source, joined(m.parameters, ", ", parameter_text),
                     is_default(m)});
-  for (const Term& t : terms())
+  for (const Term& t : with_text(terms(), search))
     rows.push_back(
         {t.id, name(t.kind), "", "", t.note, t.title, t.source, joined(t.parameters, ", ", parameter_text)});
-  for (const LightRow& l : light_rows())
+  for (const LightRow& l : with_text(light_rows(), search))
     rows.push_back(
         {l.id, name(l.kind), "", "", l.note, l.title, l.source, std::string(l.parameters), l.is_default});
+  if (rows.empty())
+    throw Error::at(printable(search), "in no id, kind or title", "a part of what etak models lists");
   return rows;
 }
 
@@ -108,9 +126,9 @@ std::string light_object(const LightRow& l) {
 
 }  // namespace
 
-std::string models_table(bool legend) {
+std::string models_table(bool legend, const std::string& search) {
   std::vector<TextRow> rows{{{"id", "kind        ", "reciprocal", "conserves", "title", "claim"}}};
-  for (const ModelRow& row : model_rows())
+  for (const ModelRow& row : model_rows(search))
     rows.push_back({{std::string(row.id) + (row.is_default ? "*" : ""), std::string(row.kind),
                      std::string(row.reciprocal), std::string(row.conserves), std::string(row.title),
                      std::string(row.note)}});
@@ -121,18 +139,20 @@ std::string models_table(bool legend) {
   return out;
 }
 
-std::string models_csv() {
+std::string models_csv(const std::string& search) {
   std::string out = "id,kind,reciprocal,conserves_energy,title,source,parameters,claim\n";
-  for (const ModelRow& row : model_rows())
+  for (const ModelRow& row : model_rows(search))
     append_csv_row(out, {row.id, row.kind, row.reciprocal, row.conserves, row.title, row.source,
                          row.parameters, row.note});
   return out;
 }
 
-std::string models_json() {
-  return json_document("etak-models/1", {{"models", json_lines_of(models(), 2, model_object)},
-                                         {"terms", json_lines_of(terms(), 2, term_object)},
-                                         {"light", json_lines_of(light_rows(), 2, light_object)}});
+std::string models_json(const std::string& search) {
+  (void)model_rows(search);
+  return json_document("etak-models/1",
+                       {{"models", json_lines_of(with_text(models(), search), 2, model_object)},
+                        {"terms", json_lines_of(with_text(terms(), search), 2, term_object)},
+                        {"light", json_lines_of(with_text(light_rows(), search), 2, light_object)}});
 }
 
 }  // namespace etak

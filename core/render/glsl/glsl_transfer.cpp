@@ -47,6 +47,9 @@ void transfer_text(GlslGlue& glue, const Scene& scene, const GlslDisplay* displa
     case Transfer::srgb:
       curve = "srgb_encode";
       break;
+    case Transfer::power_22:
+      curve = "power22_encode";
+      break;
     case Transfer::power_045:
       curve = "power045_encode";
       break;

@@ -26,14 +26,13 @@ struct Curve {
   float (*in_float)(float);
 };
 
-constexpr std::array encoders{
-    Curve{"srgb", "sRGB, exact", srgb_encode, formulas::srgb_encode},
-    Curve{"power_045", "power 0.45 (Schüler)", [](double x) { return std::pow(x, 0.45); },
-          formulas::power045_encode},
-    Curve{"power_1_22", "power 1/2.2", [](double x) { return std::pow(x, 1 / 2.2); },
-          [](float x) { return std::pow(x, 1 / 2.2f); }},
-    Curve{"root", "square root (Schüler, 2.0)", [](double x) { return std::sqrt(x); },
-          formulas::root_encode}};
+constexpr std::array encoders{Curve{"srgb", "sRGB, exact", srgb_encode, formulas::srgb_encode},
+                              Curve{"power_045", "power 0.45 (Schüler)",
+                                    [](double x) { return std::pow(x, 0.45); }, formulas::power045_encode},
+                              Curve{"power_1_22", "power 1/2.2",
+                                    [](double x) { return std::pow(x, 1 / 2.2); }, formulas::power22_encode},
+                              Curve{"root", "square root (Schüler, 2.0)",
+                                    [](double x) { return std::sqrt(x); }, formulas::root_encode}};
 
 constexpr std::array decoders{
     Curve{"srgb", "sRGB, exact", srgb_decode, formulas::srgb_decode},

@@ -132,7 +132,7 @@ LayoutFacts read_facts(const JsonNode& root, const std::string& path) {
     if (root.has("gutter")) out.common.gutter = root.at("gutter").integer(0, max_image_side);
     if (root.has("mips")) out.common.mips = root.at("mips").integer(0, 16);
     if (root.has("transfer")) {
-      out.common.transfer = root.at("transfer").word(texture_transfer_named, "srgb, gamma22 or linear");
+      out.common.transfer = root.at("transfer").word(texture_transfer_named, "srgb, power-2.2 or linear");
     }
   }
   out.common.specular_weighs_diffuse =

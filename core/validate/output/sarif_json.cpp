@@ -27,12 +27,8 @@ Json artifact(const std::string& path) {
   return {{"uri", uri_of_file(path)}, {"uriBaseId", "%SRCROOT%"}};
 }
 
-// These addresses are names alone and lead to no server, as those of the schemas; `etak explain ETK101`
-// explains a rule.
-std::string rule_address(const Rule& rule) {
-  return "urn:etak:rule:" + std::string(rule.id);
-}
-
+// Without helpUri, and the driver without informationUri: services make links of them, and there is no server
+// that they could lead to. The help is in the log, and `etak explain ETK101` prints it.
 Json rule_json(const Rule& rule) {
   Json out = Json::object();
   out["id"] = rule.id;
@@ -46,7 +42,6 @@ Json rule_json(const Rule& rule) {
   markdown += "\n\n**Example.** " + std::string(rule.example) + "\n\n**Fix.** " + std::string(rule.fix);
   markdown += "\n\n**Source.** " + std::string(rule.source);
   markdown += "\n\nMore: `etak explain " + std::string(rule.id) + "`";
-  out["helpUri"] = rule_address(rule);
   out["help"] = {{"text", text}, {"markdown", markdown}};
   out["defaultConfiguration"] = {{"enabled", rule.severity != Severity::off},
                                  {"level", rule.severity == Severity::off ? "none" : level(rule.severity)}};
@@ -129,11 +124,8 @@ std::string validation_sarif(const ValidationReport& report, const OutputOptions
   Json rule_rows = Json::array();
   for (const Rule* rule : rules()) rule_rows.push_back(rule_json(*rule));
   Json run = Json::object();
-  run["tool"] = {{"driver",
-                  {{"name", "etak"},
-                   {"version", options.version},
-                   {"informationUri", "urn:etak:validator"},
-                   {"rules", std::move(rule_rows)}}}};
+  run["tool"] = {
+      {"driver", {{"name", "etak"}, {"version", options.version}, {"rules", std::move(rule_rows)}}}};
   run["invocations"] = Json::array({{{"executionSuccessful", !report.incomplete},
                                      {"toolExecutionNotifications", std::move(notifications)}}});
   run["columnKind"] = "utf16CodeUnits";

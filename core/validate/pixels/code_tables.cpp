@@ -13,7 +13,7 @@ double decode_of(TextureTransfer transfer, double encoded) {
   switch (transfer) {
     case TextureTransfer::srgb:
       return srgb_decode(encoded);
-    case TextureTransfer::gamma22:
+    case TextureTransfer::power_22:
       return std::pow(encoded, 2.2);
     case TextureTransfer::linear:
       return encoded;
@@ -25,7 +25,7 @@ double encode_of(TextureTransfer transfer, double linear) {
   switch (transfer) {
     case TextureTransfer::srgb:
       return srgb_encode(linear);
-    case TextureTransfer::gamma22:
+    case TextureTransfer::power_22:
       return std::pow(linear, 1 / 2.2);
     case TextureTransfer::linear:
       return linear;
@@ -97,9 +97,9 @@ const std::array<bool, 101>& comb_codes() {
 }
 
 const CodeTables& code_tables(TextureTransfer transfer) {
-  static const CodeTables srgb(TextureTransfer::srgb), gamma22(TextureTransfer::gamma22),
+  static const CodeTables srgb(TextureTransfer::srgb), power_22(TextureTransfer::power_22),
       linear(TextureTransfer::linear);
-  return transfer == TextureTransfer::srgb ? srgb : transfer == TextureTransfer::gamma22 ? gamma22 : linear;
+  return transfer == TextureTransfer::srgb ? srgb : transfer == TextureTransfer::power_22 ? power_22 : linear;
 }
 
 }  // namespace etak

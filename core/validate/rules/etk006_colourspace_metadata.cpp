@@ -16,7 +16,7 @@ void etk006(RuleCheck& check) {
     const bool data = picture.role >= FileRole::metal_rough && picture.role <= FileRole::roughness;
     const std::string expected(data ? "linear" : name(check.settings.transfer));
     const bool right_curve = curve.empty() || curve == expected || curve.starts_with("icc") ||
-                             (data && !primaries.empty()) || (curve == "gamma22" && expected == "srgb");
+                             (data && !primaries.empty()) || (curve == "power-2.2" && expected == "srgb");
     const bool right_primaries = data || primaries.empty() || primaries == "sRGB" || primaries == "greys";
     if (right_curve && right_primaries) continue;
     Finding& finding = check.report(picture);

@@ -24,7 +24,7 @@ void etk403(RuleCheck& check) {
       to_srgb = std::min<double>(
           to_srgb, std::abs(code - code_tables(TextureTransfer::srgb).encode(entry->luminance)));
       to_power = std::min<double>(
-          to_power, std::abs(code - code_tables(TextureTransfer::gamma22).encode(entry->luminance)));
+          to_power, std::abs(code - code_tables(TextureTransfer::power_22).encode(entry->luminance)));
     }
     power += to_power < to_srgb;
     srgb += to_srgb < to_power;
@@ -51,7 +51,7 @@ constinit const Rule etk403_transfer_unstated{
     "nearer to the table of exponent 1/2.2 than to that of sRGB.",
     "The two differ by up to 5 codes in the range of dielectrics.",
     "Codes copied from an article that uses a plain power.",
-    "State transfer = \"gamma22\", or re-encode.",
+    "State transfer = \"power-2.2\", or re-encode.",
     &etk403};
 
 }  // namespace etak

@@ -90,6 +90,7 @@ ValidationReport merged_report(std::vector<ReadShard> shards, bool renew_known) 
   add_unused_allowances(out, uses);
   if (renew_known) mark_known(out, baseline_of(out));
   out = report_of(std::move(out.files), settings);
+  tell_sets_apart(out);
   out.settings_hash = first.settings_hash;
   out.not_opened = std::move(first.not_opened);
   out.unknown = std::move(first.unknown);

@@ -159,7 +159,7 @@ ReportShard read_member(const JsonNode& node, const JsonNode& settings) {
   out.verdict.max_warnings = maybe(verdict.at("maxWarnings"), whole);
   if (!least.text().empty()) out.verdict.min_severity = name(severity_at(least));
   out.settings.profile = settings.at("profile").word(profile_named, "default, strict, film or custom");
-  out.settings.transfer = settings.at("transfer").word(texture_transfer_named, "srgb, gamma22 or linear");
+  out.settings.transfer = settings.at("transfer").word(texture_transfer_named, "srgb, power-2.2 or linear");
   out.settings.fail_on = severity_at(settings.at("failOn"));
   out.allowances = node.at("allowances").each(read_allowance);
   return out;

@@ -14,8 +14,16 @@ std::string job_with(std::string_view key, const std::string& value) {
   return R"({"jobs": [{"input": "a.json", "out": "b", ")" + std::string(key) + "\": " + value + "}]}";
 }
 
+std::vector<PackSettings> jobs_with(std::string_view key, const std::string& value,
+                                    std::vector<std::string> expected_remarks = {}) {
+  std::vector<std::string> remarks;
+  std::vector<PackSettings> out = parse_pack_jobs(job_with(key, value), "dir/jobs.json", {}, remarks);
+  CHECK(remarks == expected_remarks);
+  return out;
+}
+
 std::string fault_of_job(std::string_view key, const std::string& value) {
-  return error_of([&] { (void)parse_pack_jobs(job_with(key, value), "dir/jobs.json", {}); });
+  return error_of([&] { (void)jobs_with(key, value); });
 }
 
 // Something that a job may say of the setting.
@@ -38,7 +46,7 @@ TEST_CASE("every setting of a job is read into its own place, and what is for th
       CHECK(contains(fault_of_job(row.name, value_for(row)), "unknown key"));
       continue;
     }
-    const auto jobs = parse_pack_jobs(job_with(row.name, value_for(row)), "dir/jobs.json", {});
+    const auto jobs = jobs_with(row.name, value_for(row));
     REQUIRE(jobs.size() == 1);
     PackSettings plain;
     plain.input = "dir/a.json";
@@ -59,11 +67,22 @@ TEST_CASE("a job's numbers and words keep to the ranges and words of the table")
     }
     if (!row.words.empty()) CHECK(contains(fault_of_job(row.name, "\"no such word\""), row.words));
   }
-  const auto of = [](const char* key, const char* value) {
-    return parse_pack_jobs(job_with(key, value), "dir/jobs.json", {}).at(0);
-  };
+  const auto of = [](const char* key, const char* value) { return jobs_with(key, value).at(0); };
   CHECK(of("gutter", "8").gutter == of("gutter", R"("8")").gutter);
   CHECK(of("previous", R"("old.json")").previous == "dir/old.json");
+}
+
+TEST_CASE(
+    "jobs name settings as the command line does; older names work with a remark, and not beside the newer "
+    "ones") {
+  const std::string place = "dir/jobs.json#/jobs/0/";
+  CHECK(jobs_with("gloss-channel", R"("roughness")") ==
+        jobs_with("gloss", R"("roughness")", {place + "gloss: is now called gloss-channel"}));
+  CHECK(jobs_with("textures", R"("png,dds")") ==
+        jobs_with("format", R"("png,dds")", {place + "format: is now called textures"}));
+  CHECK(jobs_with("gloss_channel", R"("roughness")") == jobs_with("gloss-channel", R"("roughness")"));
+  CHECK(fault_of_job("format", R"("png", "textures": "dds")") ==
+        place + "textures: given under another name too; expected one of the two");
 }
 
 TEST_CASE("faults of settings, and the help, name settings without dashes where no command line was named") {
@@ -80,7 +99,7 @@ TEST_CASE("faults of settings, and the help, name settings without dashes where 
         }) == "goal: disk beside two forms in one file; expected one gltf form, or smallest");
   CHECK(fault_of([](PackSettings& s) { s.space_of = {"gloss=srgb"}; }).starts_with("space of: gloss=srgb;"));
   CHECK(fault_of([](PackSettings& s) { s.gutter = "-1"; }) == "gutter: -1; expected auto, or 0 to 4096");
-  CHECK(fault_of([](PackSettings& s) { s.format = "gif"; }).starts_with("format: gif; expected png"));
+  CHECK(fault_of([](PackSettings& s) { s.format = "gif"; }).starts_with("textures: gif; expected png"));
   for (const PackSettingRow& row : pack_setting_rows()) {
     const std::string help = row.help_text();
     INFO(help);

@@ -39,10 +39,10 @@ TEST_CASE("curves of a profile are named by what they do") {
   CHECK(curve_named(icc_gamma(1)) == "linear");
   CHECK(curve_named(icc_table({0, 65535})) == "linear");
   CHECK(curve_named(icc_formula(0, {1})) == "linear");
-  CHECK(curve_named(icc_gamma(2.2)) == "gamma22");
-  CHECK(curve_named(icc_gamma(2.19921875)) == "gamma22");  // the exponent of Adobe RGB
-  CHECK(curve_named(icc_formula(1, {2.2, 1, 0})) == "gamma22");
-  CHECK(curve_named(icc_formula(2, {2.2, 1, 0, 0})) == "gamma22");
+  CHECK(curve_named(icc_gamma(2.2)) == "power-2.2");
+  CHECK(curve_named(icc_gamma(2.19921875)) == "power-2.2");  // the exponent of Adobe RGB
+  CHECK(curve_named(icc_formula(1, {2.2, 1, 0})) == "power-2.2");
+  CHECK(curve_named(icc_formula(2, {2.2, 1, 0, 0})) == "power-2.2");
   CHECK(curve_named(icc_gamma(1.8)).starts_with("gamma 0.55"));
   // The curve of BT.709 for cameras.
   CHECK(curve_named(icc_formula(3, {1 / 0.45, 1 / 1.099, 0.099 / 1.099, 1 / 4.5, 0.081})) ==
@@ -68,7 +68,7 @@ TEST_CASE("primaries of a profile are named by where they lie") {
   CHECK(named(icc_rec2020) == "Rec. 2020");
   CHECK(named(icc_pro_photo) == "ProPhoto RGB");
   CHECK(named({{{0.9642, 0, 0}, {0, 1, 0}, {0, 0, 0.8249}}}) == "others");
-  CHECK(icc_colors(icc_profile("GRAY", {{"kTRC", icc_gamma(2.2)}})) == IccColors{"gamma22", "greys"});
+  CHECK(icc_colors(icc_profile("GRAY", {{"kTRC", icc_gamma(2.2)}})) == IccColors{"power-2.2", "greys"});
 }
 
 TEST_CASE("a profile that is cut, or names what is not there, is not read, and nothing else happens") {

@@ -161,7 +161,7 @@ const std::vector<Mutation>& mutations_told() {
          std::vector<int> codes;
          while (names.size() < 2) {
            const KnownF0& entry = any_known(r, false);
-           const int code = code_tables(TextureTransfer::gamma22).encode(entry.luminance);
+           const int code = code_tables(TextureTransfer::power_22).encode(entry.luminance);
            // Where the two curves, or the sources of the material, say nearly the same nobody can tell.
            bool clear = entry.luminance < 0.1;
            for (const KnownF0* other : KnownMaterials::builtin().f0_of(entry.id))

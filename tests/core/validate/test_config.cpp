@@ -35,7 +35,7 @@ TEST_CASE(
 TEST_CASE("the configuration of the documentation is read whole") {
   const ValidateConfig config = parse_config(R"toml(
 profile  = "default"
-transfer = "gamma22"
+transfer = "power-2.2"
 fail_on  = "warning"
 [roles]
 diffuse  = "*_diff.*"
@@ -62,7 +62,7 @@ expires = 2027-03-04
 )toml",
                                              "etak.toml");
   const Settings& s = config.settings;
-  CHECK(s.transfer == TextureTransfer::gamma22);
+  CHECK(s.transfer == TextureTransfer::power_22);
   CHECK(s.transfer_stated);
   CHECK(s.fail_on == Severity::warning);
   CHECK(config.roles == std::vector<RolePattern>{{FileRole::diffuse_alpha, "*_diff.*"},
@@ -107,7 +107,7 @@ TEST_CASE("what is wrong in a configuration is refused with file and line") {
       {"profil = \"strict\"", "etak.toml:1: unknown key \"profil\""},
       {"\nprofile = \"loose\"", "etak.toml:2: profile"},
       {"profile = 3", "default, strict, film or custom"},
-      {"transfer = \"rec709\"", "srgb, gamma22 or linear"},
+      {"transfer = \"rec709\"", "srgb, power-2.2 or linear"},
       {"fail_on = \"off\"", "error, warning or info"},
       {"[rules]\nETK999 = \"off\"", "etak.toml:2: ETK904 unknown-rule"},
       {"[rules]\nETK101 = \"fatal\"", "off, info, warning, error or on"},
@@ -193,7 +193,7 @@ TEST_CASE("the settings' hash changes with whatever changes findings, and with n
   CHECK(hash("[[allow]]\nrule = \"ETK101\"\nreason = \"x\"") == plain);
   CHECK(hash("[rules]\nETK202 = \"warning\"") == plain);
   for (const char* text :
-       {"transfer = \"gamma22\"", "transfer = \"srgb\"", "alpha = \"transparency\"", "profile = \"strict\"",
+       {"transfer = \"power-2.2\"", "transfer = \"srgb\"", "alpha = \"transparency\"", "profile = \"strict\"",
         "[rules]\nETK202 = \"error\"", "[rules]\nETK202 = { min_byte = 31 }", "[zone]\nlow = 0.21",
         "[zone]\nmetric = \"max\"", "[zone]\nerode = 5", "[zone]\nmin_area_px = 31"})
     CHECK(hash(text) != plain);

@@ -51,7 +51,7 @@ TEST_CASE("the seeds' tables are clean under their own transfer, but for what th
   REQUIRE(rows.size() >= 10);
   for (const auto& [id, codes] : rows) {
     Settings settings;
-    settings.transfer = id.first == "Hoffman" ? TextureTransfer::srgb : TextureTransfer::gamma22;
+    settings.transfer = id.first == "Hoffman" ? TextureTransfer::srgb : TextureTransfer::power_22;
     const double y = 0.2126 * srgb_decode(codes[0] / 255.0) + 0.7152 * srgb_decode(codes[1] / 255.0) +
                      0.0722 * srgb_decode(codes[2] / 255.0);
     const bool metal = y > 0.45;

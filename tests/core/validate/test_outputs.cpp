@@ -201,6 +201,9 @@ TEST_CASE("SARIF holds the rule table, and every result points into it") {
   REQUIRE(sarif["runs"].size() == 1);
   const Json& run = sarif["runs"][0];
   const Json& rule_rows = run["tool"]["driver"]["rules"];
+  // No link that opens nowhere.
+  CHECK_FALSE(run["tool"]["driver"].contains("informationUri"));
+  CHECK_FALSE(rule_rows[0].contains("helpUri"));
   CHECK(rule_rows.size() == rules().size());
   const std::set<std::string> levels{"error", "warning", "note", "none"};
   for (const Json& rule : rule_rows) {

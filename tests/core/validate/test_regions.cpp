@@ -244,7 +244,7 @@ TEST_CASE("byte tests give the same masks in both sets of instructions as one te
 
 TEST_CASE("luminance codes of greys are the greys, and the zone is codes 124 to 178") {
   for (const TextureTransfer transfer :
-       {TextureTransfer::srgb, TextureTransfer::gamma22, TextureTransfer::linear}) {
+       {TextureTransfer::srgb, TextureTransfer::power_22, TextureTransfer::linear}) {
     const CodeTables& tables = code_tables(transfer);
     for (int code = 0; code < 256; ++code) {
       const auto c = static_cast<std::uint8_t>(code);
@@ -255,8 +255,8 @@ TEST_CASE("luminance codes of greys are the greys, and the zone is codes 124 to 
   const CodeTables& srgb = code_tables(TextureTransfer::srgb);
   CHECK(srgb.first_code_at_least(first_above(0.20)) == 124);
   CHECK(srgb.first_code_at_least(first_at_least(0.45)) == 179);
-  CHECK(code_tables(TextureTransfer::gamma22).first_code_at_least(first_above(0.20)) == 123);
-  CHECK(code_tables(TextureTransfer::gamma22).first_code_at_least(first_at_least(0.45)) == 178);
+  CHECK(code_tables(TextureTransfer::power_22).first_code_at_least(first_above(0.20)) == 123);
+  CHECK(code_tables(TextureTransfer::power_22).first_code_at_least(first_at_least(0.45)) == 178);
 }
 
 TEST_CASE(

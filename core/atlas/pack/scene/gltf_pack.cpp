@@ -262,10 +262,11 @@ ScenePack::ScenePack(const std::string& path, const PackOptions& options)
   s.uses.emplace(s.scene);
   s.inputs.gloss = s.gloss;
   if (s.gloss == GlossForm::roughness)
-    throw Error::at(pack_setting("gloss"), "roughness", "schueler or one_minus_roughness for a glTF scene");
+    throw Error::at(setting("gloss-channel"), "roughness",
+                    "schueler or one_minus_roughness for a glTF scene");
   if (s.gloss == GlossForm::schueler && has_form(s.forms, GltfForm::specular_glossiness))
     throw Error::at(setting("gltf-form"), "specular-glossiness, whose gloss is 1 - roughness",
-                    pack_setting("gloss") + " one_minus_roughness");
+                    setting("gloss-channel") + " one_minus_roughness");
   std::set<std::string> names;
   for (const GltfMaterial& m : s.scene.materials) s.add_material(m, names);
   parallel_chunks(s.inputs.materials.size(), options.run.threads, 1,
@@ -336,7 +337,7 @@ void ScenePack::add_remarks(std::vector<std::string>& remarks) const {
                           ": is not of plain metal-rough form and stays as it is in scene.gltf");
     }
   if (!state_->writes_scene())
-    remarks.push_back("no scene.gltf was written: its pictures are PNG, which " + pack_setting("format") +
+    remarks.push_back("no scene.gltf was written: its pictures are PNG, which " + setting("textures") +
                       " does not name");
 }
 
