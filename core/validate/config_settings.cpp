@@ -32,7 +32,7 @@ ValidateConfig validate_config(const ValidateSettings& given, const std::string&
       setting_value("profile", given.profile, out.profile, profile_named, "default, strict, film or custom");
   out.transfer = setting_value("transfer", given.transfer, out.transfer, texture_transfer_named,
                                "srgb, power-2.2 or linear");
-  if (given.transfer == older_power_22)
+  if (!given.transfer.empty() && given.transfer != name(out.transfer))
     config.remarks.push_back(setting("transfer") + " " + given.transfer + ": is now called " +
                              std::string(name(out.transfer)));
   out.transfer_stated = out.transfer_stated || !given.transfer.empty();

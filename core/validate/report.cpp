@@ -74,19 +74,15 @@ ValidationReport report_of(std::vector<CheckedFile> files, const Settings& setti
 }
 
 void tell_sets_apart(ValidationReport& report) {
-  struct Told {
-    Finding* finding;
-    const std::string* set;
-  };
-  std::map<std::string, std::vector<Told>> alike;
+  std::map<std::string, std::vector<std::pair<Finding*, const std::string*>>> alike;
   for (CheckedFile& set : report.files)
     for (Finding& finding : set.findings)
       if (!finding.file.empty() && finding.file != set.path)
         alike[joined(std::array{finding.file, finding.rule, finding.tile, finding.message}, "\n")].push_back(
             {&finding, &set.path});
   for (const auto& [text, told] : alike)
-    for (const Told& each : told)
-      if (*told.front().set != *told.back().set) each.finding->message += ", in the set of " + *each.set;
+    for (const auto& [finding, set] : told)
+      if (*told.front().second != *told.back().second) finding->message += ", in the set of " + *set;
 }
 
 ValidationReport report_of_run(std::vector<CheckedFile> files, const ValidateConfig& config,

@@ -57,7 +57,7 @@ std::string_view name(TextureTransfer transfer) {
 }
 
 std::optional<TextureTransfer> texture_transfer_named(std::string_view text) {
-  return named_in(transfers, text == older_power_22 ? name(TextureTransfer::power_22) : text);
+  return named_in(transfers, text == "gamma22" ? "power-2.2" : text);  // its older name
 }
 
 std::size_t least_region(const ZoneSettings& zone, std::size_t tile_texels) {

@@ -29,8 +29,6 @@ std::optional<Profile> profile_named(std::string_view text);
 enum class TextureTransfer { srgb, power_22, linear };
 std::string_view name(TextureTransfer transfer);  // "srgb", "power-2.2", "linear"
 std::optional<TextureTransfer> texture_transfer_named(std::string_view text);
-/// The older name of power-2.2, which is still known.
-inline constexpr std::string_view older_power_22 = "gamma22";
 
 /// The configuration of one rule. Where it gives no value, that of the profile holds.
 struct RuleSetting {

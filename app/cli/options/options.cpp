@@ -14,11 +14,6 @@
 #include "core/material/find.h"
 
 namespace etak::cli {
-namespace {
-
-constexpr const char* computation = "Computation";  // heading in the help
-
-}  // namespace
 
 const MaterialLibrary& Library::get() {
   if (library_) return *library_;
@@ -49,7 +44,7 @@ void add_library_options(Command verb, Library& library) {
 }
 
 void add_solver_options(Command verb, F0Settings& settings) {
-  const std::string group = computation;
+  const std::string group = "Computation";
   const auto add = [&](const char* name, std::string& value, const char* text) {
     return verb.option(name, value, text).group(group);
   };
@@ -86,12 +81,12 @@ void add_compute_options(Command verb, F0Settings& settings) {
               "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any "
               "case, or a colour space of an OpenColorIO config")
       .value_name("SPACE")
-      .group(computation);
+      .group("Computation");
   verb.option("--ocio", settings.ocio,
               "OpenColorIO config to look --space up in (else $OCIO, else etak's own)")
       .reads_file()
       .value_name("CONFIG")
-      .group(computation);
+      .group("Computation");
 }
 
 F0Options f0_options(const F0Settings& settings, Library& library) {

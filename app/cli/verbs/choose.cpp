@@ -24,15 +24,10 @@ void add_choose(CommandLine& line) {
   verb.flag("--codes", arguments->codes, "the budget is in 8-bit sRGB codes of the worst channel");
   verb.option("--dataset", arguments->dataset, "dataset of each material instead of the preferred one")
       .value_name("ID");
-  const char* const seen =
-      "a choice is for linear sRGB under D65 and the 1931 observer, as its differences are";
-  for (const char* option : {"--illuminant", "--observer", "--space"})
-    verb.refuse(option, seen, std::string("etak f0 with ") + option);
-  verb.refuse("--outside", "the models that are compared stand in air", "etak f0 with --outside");
+  for (const char* option : {"--illuminant", "--observer", "--space", "--outside", "--axis-average"})
+    verb.refuse(option, "a choice is for one n and k in air, in linear sRGB under D65 and the 1931 observer",
+                std::string("etak f0 with ") + option);
   verb.refuse("--method,--integration", "etak choose itself finds the cheapest within --budget", "no method");
-  verb.refuse("--axis-average",
-              "what is drawn is the Fresnel curve of one n and k, which a mean of F0 has not",
-              "an axis by --dataset");
   add_table_options(verb, arguments->tables);
   add_roughness_options(verb, arguments->rough, "of a library material's sphere that is compared");
   const Option measure =
