@@ -215,6 +215,8 @@ void check_picture_name(const RenderArguments& arguments) {
                     ".png or .exr, of which other programs make what is wanted");
   if (!path.empty()) check_file_target(path, arguments.stats.force);
   if (!path.empty()) refuse_input(path);
+  if (arguments.part != "all" && !arguments.sheet)
+    throw Error::at("--part", "without --sheet", "--sheet, whose part it is");
   if (arguments.reference && arguments.device == "gl")
     throw Error::at("--reference", "is not drawn with gl", "--device cpu");
 }
