@@ -217,6 +217,8 @@ void check_picture_name(const RenderArguments& arguments) {
   if (!path.empty()) refuse_input(path);
   if (arguments.part != "all" && !arguments.sheet)
     throw Error::at("--part", "without --sheet", "--sheet, whose part it is");
+  if (arguments.sheet && arguments.stats.format == "json")
+    throw Error::at("--format", "json with --sheet, which is no picture of one subject", "text");
   if (arguments.reference && arguments.device == "gl")
     throw Error::at("--reference", "is not drawn with gl", "--device cpu");
 }
