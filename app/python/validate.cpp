@@ -48,6 +48,8 @@ ValidationRequest request_of(const py::object& paths, const Keywords& given, con
   out.paths = texts_of(paths, "paths");
   if (out.paths.empty()) throw Error::at("paths", "nothing to check", "files or folders");
   out.config = validate_config(check_settings(given), out.paths.front(), library.known());
+  for (const std::string& remark : out.config.remarks)
+    if (PyErr_WarnEx(PyExc_FutureWarning, remark.c_str(), 2) != 0) throw py::error_already_set();
   if (const std::string role = given.text("role"); !role.empty()) {
     out.role = role_named(role);
     if (!out.role) throw Error::at(setting("role"), printable(role), picture_roles);

@@ -63,6 +63,9 @@ class Validation(Work):
     def test_settings_are_those_of_the_command_line(self):
         self.assertTrue(etak.validate("textures", fail_on="never", ignore="ETK1").passed)
         self.assertEqual(len(etak.validate("textures", only="ETK205")), 0)
+        with self.assertWarnsRegex(FutureWarning, "transfer gamma22: is now called power-2.2$") as warned:
+            etak.validate("textures", transfer="gamma22")
+        self.assertEqual(warned.filename, __file__)
         for words, call in {
                 ("--profile", "lax"): lambda: etak.validate("textures", profile="lax"),
                 ("--fail-on", "hint"): lambda: etak.validate("textures", fail_on="hint"),

@@ -19,13 +19,14 @@ from __future__ import annotations
 import os as _os
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional, Tuple, Union, overload
 
-from . import _core, documents as _documents
+from . import _core
 from ._core import Citation, Dataset, Error, F0, Library, Material, Spread, __version__, library
-from .documents import CheckedFile, Choice, Choices, Finding, Packed, Report
 
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+
+    from .documents import CheckedFile, Choice, Choices, Finding, Packed, Report
 
 _core._start(_os.path.abspath(__path__[0]))
 
@@ -33,6 +34,18 @@ __all__ = [
     "CheckedFile", "Choice", "Choices", "Citation", "Dataset", "Error", "F0", "Finding", "Library", "Material",
     "Near", "Packed", "Report", "Spread", "__version__", "choose", "dataset", "delta_e", "export", "f0", "fresnel",
     "fresnel_forms", "functions", "library", "nearest", "pack", "pack_settings", "read", "validate"]
+
+
+def _documents() -> Any:
+    # Imported when first needed: it would be a quarter of the time that `import etak` takes.
+    from . import documents
+    return documents
+
+
+def __getattr__(name: str) -> Any:
+    if name in ("CheckedFile", "Choice", "Choices", "Finding", "Packed", "Report"):
+        return getattr(_documents(), name)
+    raise AttributeError(f"module 'etak' has no attribute {name!r}")
 
 
 def __dir__() -> "list[str]":
@@ -250,7 +263,7 @@ def validate(
     >>> [(finding.rule, finding.limit) for finding in report if finding.severity == "error"]
     [('ETK101', '20 % to 45 %'), ('ETK402', 'codes 36 to 84')]
     """
-    return _documents.report_of(_core.validate(paths, locals(), library, threads, progress), fail_on)
+    return _documents().report_of(_core.validate(paths, locals(), library, threads, progress), fail_on)
 
 
 def pack(
@@ -273,7 +286,7 @@ def pack(
     >>> packed.materials, packed.report.passed
     (2, True)
     """
-    return _documents.packed_of(_core.pack(input, output, locals(), settings, library, threads, progress), fail_on)
+    return _documents().packed_of(_core.pack(input, output, locals(), settings, library, threads, progress), fail_on)
 
 
 def pack_settings() -> "dict[str, str]":
@@ -302,7 +315,7 @@ def choose(
     >>> choice.fresnel, choice.met
     ('f82', True)
     """
-    return _documents.choices_of(
+    return _documents().choices_of(
         _core.choose(materials, budget, codes, gloss, roughness, costs, library, threads, progress))
 
 
