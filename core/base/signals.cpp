@@ -28,6 +28,7 @@ std::atomic<int> held{0};  // threads that hold signals
 thread_local int held_here = 0;
 static_assert(std::is_trivially_destructible_v<decltype(held_here)>);
 std::atomic<int> ending{0};  // the signal that ends the program
+std::atomic<bool> cleaning{false};
 
 void remove_entry(const Entry& entry) {
   const char* const name = entry.name.data();
@@ -46,7 +47,10 @@ void remove_entry(const Entry& entry) {
   }
 }
 
-[[noreturn]] void clean_and_end() {
+// Returns where another thread, or what this signal has interrupted, is cleaning already: of two that list one open
+// folder each sees a part of its files, and the first to be done would end the program before the other.
+void clean_and_end() {
+  if (cleaning.exchange(true)) return;
   for (const Entry& entry : entries)
     if (entry.state == Entry::remembered) remove_entry(entry);
   sys::end_by(ending);
