@@ -163,7 +163,7 @@ MaterialLibrary::Base MaterialLibrary::base_of(std::string_view name) const {
       return {std::move(answer), nullptr};
     }
     // A coffee table tells nothing of coffee.
-    const auto shape = [](const auto& word) { return word.second->of == Qualifier::Of::solids; };
+    const auto shape = [](const auto& word) { return word.second->of == solid_families; };
     if (out.thing == nullptr && std::none_of(each.words.begin(), each.words.end(), shape)) out.thing = thing;
   }
   return out;
@@ -188,35 +188,28 @@ Material MaterialLibrary::at(std::size_t index) const {
 std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::size_t count) const {
   struct Ranked {
     NameDistance distance;
-    std::string id;  // or the word, of a thing without a measurement
+    std::string id;
     std::string alias;
-    bool measured;
   };
   std::vector<Ranked> ranked;
-  const auto best_of = [&](const std::string& id, const auto& names, bool measured) {
+  for (const Entry& e : entries_) {
     std::optional<NameDistance> best;
     std::string alias;
-    for (const std::string& known : names) {
+    const auto offer = [&](const std::string& known) {
       const auto distance = name_distance(name, known);
       // "irn" is a misspelt iron rather than In: a formula is suggested only for its letters in another case.
-      if (!distance || (distance->kind != NameDistance::Kind::same && is_formula(known))) continue;
-      if (best && *best <= *distance) continue;
+      if (!distance || (distance->kind != NameDistance::Kind::same && is_formula(known))) return;
+      if (best && *best <= *distance) return;
       best = distance;
       alias = known;
-    }
-    if (best) ranked.push_back({*best, id, std::move(alias), measured});
-  };
-  for (const Entry& e : entries_) {
-    std::vector<std::string> names{e.id, e.name};
-    names.insert(names.end(), e.aliases.begin(), e.aliases.end());
-    best_of(e.id, names, true);
+    };
+    offer(e.id);
+    offer(e.name);
+    for (const std::string& known : e.aliases) offer(known);
+    if (best) ranked.push_back({*best, e.id, std::move(alias)});
   }
-  for (const Unmeasured& each : unmeasured_) best_of(each.words.front(), each.words, false);
-  // A word that leads to no measurement is worth a suggestion only where it is what was meant.
-  std::erase_if(ranked,
-                [](const Ranked& r) { return !r.measured && r.distance.kind == NameDistance::Kind::word; });
   std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
-    return std::tie(a.distance, b.measured, a.id) < std::tie(b.distance, a.measured, b.id);
+    return std::tie(a.distance, a.id) < std::tie(b.distance, b.id);
   });
   // Where names share a word with what was asked for, those with more than one wrong letter are left out.
   if (!ranked.empty() && ranked.front().distance.kind != NameDistance::Kind::edits)
@@ -225,13 +218,10 @@ std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::siz
     });
   ranked.resize(std::min(count, ranked.size()));
   std::vector<Suggestion> out;
-  for (Ranked& each : ranked) {
+  for (const Ranked& each : ranked) {
     // An alias that the id contains is not shown beside it.
     const bool plain = folded_name(each.id).find(folded_name(each.alias)) != std::string::npos;
-    if (each.measured)
-      out.push_back({plain ? each.id : each.id + " (" + each.alias + ")", each.id});
-    else
-      out.push_back({each.alias + " (not measured)", ""});
+    out.push_back({plain ? each.id : each.id + " (" + each.alias + ")", each.id});
   }
   return out;
 }

@@ -32,8 +32,8 @@ struct LibraryAnswer {
 
 /// A name that comes near to one that is not known.
 struct Suggestion {
-  std::string text;  // the id, with the alias that comes near in brackets; or the word
-  std::string id;    // empty: a word that no material answers
+  std::string text;  // the id, with the alias that comes near in brackets
+  std::string id;
 };
 
 /// All materials known to a run: those built into the program, and those of folders laid over them.
@@ -69,7 +69,7 @@ class MaterialLibrary {
   Material at(std::size_t index) const;
 
   /// Ids, names and aliases that come near to `name` (name_distance()), nearest first, each material once;
-  /// none where nothing is near. Words without a measurement are among them where they are merely misspelt.
+  /// none where nothing is near.
   std::vector<Suggestion> suggest(std::string_view name, std::size_t count = 5) const;
 
   /// The thing without a measurement that is called `word`, which may have qualifiers; null: none is.

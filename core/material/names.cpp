@@ -114,14 +114,15 @@ bool is_formula(std::string_view name) {
 std::optional<NameDistance> name_distance(std::string_view asked_name, std::string_view known_name) {
   using Kind = NameDistance::Kind;
   if (asked_name.size() > longest_suggested) return std::nullopt;
-  constexpr std::size_t least_edited = 3, least_of_two_edits = 8;
+  constexpr std::size_t least_edited = 4, least_of_two_edits = 8;
   const std::string asked = folded_name(asked_name), known = folded_name(known_name);
   if (asked.empty() || known.empty()) return std::nullopt;
   if (asked == known) return NameDistance{Kind::same, 0};
   if (const std::size_t shared = shared_letters(asked_name, known_name); shared > 0)
     return NameDistance{Kind::word,
                         asked.size() + known.size() - 2 * std::min({shared, asked.size(), known.size()})};
-  if (asked.size() < least_edited || asked.front() != known.front()) return std::nullopt;
+  if (std::max(asked.size(), known.size()) < least_edited || asked.front() != known.front())
+    return std::nullopt;
   const std::size_t most = asked.size() < least_of_two_edits ? 1 : 2;
   if (asked.size() > known.size() + most || known.size() > asked.size() + most) return std::nullopt;
   const std::size_t edits = edit_distance(asked, known);

@@ -46,7 +46,8 @@ struct NameDistance {
 ///   word    a whole word of three letters or more is in both ("steel", "stainless steel"), which is no
 ///           qualifier()
 ///   edits   the first letter is the same, and one letter is wrong, missing or too much, or two neighbours
-///           are exchanged; of eight letters and more two such mistakes, of two letters none
+///           are exchanged; of eight letters and more two such mistakes. Of names with less than four letters
+///           none: ham is no misspelt hay
 std::optional<NameDistance> name_distance(std::string_view asked, std::string_view known);
 
 /// The datasets of `material` that `text` names: an id, the unique beginning of one, or with a '*' at the end

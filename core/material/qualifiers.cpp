@@ -11,11 +11,10 @@
 namespace etak {
 namespace {
 
-using Of = Qualifier::Of;
-
 constexpr std::string_view a_thing = "a thing made of it, whose shape is not in the answer";
 constexpr std::string_view outdoors = "a thing out of doors, whose surface changes by weather";
-constexpr std::string_view a_change = "a change of the surface by air and time, which is not in the answer";
+constexpr std::string_view by_time = "a change of the surface by air and time, which is not in the answer";
+constexpr std::string_view by_use = "a change of the surface by use, which is not in the answer";
 constexpr std::string_view a_state = "a state that the measured sample need not share";
 constexpr std::string_view below = "it is what is seen, not what lies below";
 
@@ -30,52 +29,57 @@ constexpr std::array qualifiers{
     Qualifier{"anodised anodized anodising anodizing",
               "a layer of oxide, often dyed, which is not in the answer",
               "a layer of oxide, often dyed, which is not in the answer"},
-    Qualifier{"tarnished oxidised oxidized patinated corroded weathered aged", a_change, a_change},
+    Qualifier{"tarnished oxidised oxidized patinated corroded weathered aged", by_time, by_time},
+    Qualifier{"worn used", by_use, by_use},
     Qualifier{"varnished lacquered oiled waxed sealed", "a clear coat, which is not in the answer",
               "a clear coat, under which a body looks darker and glossy"},
-    Qualifier{"photo", "", "a glossy coat, which is not in the answer"},
+    Qualifier{"photo", "", "a glossy coat, which is not in the answer", "paper"},
     Qualifier{"car automotive", "",
-              "a lacquer of several layers, whose clear coat and flakes are not in the answer"},
+              "a lacquer of several layers, whose clear coat and flakes are not in the answer",
+              "paint pigment"},
     Qualifier{"pure solid", "a purity, of which the record of the sample tells", ""},
-    Qualifier{"clean new dry fresh raw", a_state, a_state},
+    Qualifier{"clean new dry fresh raw ripe", a_state, a_state},
     Qualifier{"old dirty dusty and", "", ""},  // no answer, and no suggestion by these words alone
     Qualifier{"faded bleached", "", "paler than what was measured"},
-    Qualifier{"dyed", "", "a colour of its own, which is not in the answer"},
-    Qualifier{"roasted toasted baked fried grilled", "", "browned by heat, darker than what was measured"},
+    Qualifier{"dyed printed", "", "a colour of its own, which is not in the answer"},
+    Qualifier{"roasted toasted baked fried grilled", "", "browned by heat, darker than what was measured",
+              "food"},
     Qualifier{"frozen", "", "ice in and on it, which is not in the answer"},
-    Qualifier{"dried cooked boiled", "", "of another colour than what was measured"},
+    Qualifier{"dried cooked boiled", "", "of another colour than what was measured", "food plant"},
     Qualifier{
         "red green blue yellow orange purple violet pink brown black white grey gray dark light pale bright "
         "coloured colored tinted",
-        "a colour of the body, not an F0", "", Of::dielectrics},
+        "a colour of the body, not an F0", "", "dielectric"},
     Qualifier{
         "pipe tube rod bar beam wire sheet plate panel slab block ingot coin ring foil bowl cup pot pan vase "
         "table desk chair bench door wall floor flooring tile plank mat fabric cloth textile yarn thread "
-        "bottle jar pane",
-        a_thing, a_thing, Of::solids},
-    Qualifier{"roof gutter flashing cladding facade statue", outdoors, outdoors, Of::solids},
-    Qualifier{"painted", below, below, Of::all, "paint"},
-    Qualifier{"chromed", below, below, Of::all, "chrome"},
-    Qualifier{"gilded gilt", below, below, Of::all, "gold"},
-    Qualifier{"rusty rusted", below, below, Of::all, "rust"},
-    Qualifier{"galvanised galvanized", below, below, Of::all, "galvanized steel"},
-    Qualifier{"plated plating coated coating", below, below, Of::all, {}, true}};
+        "bottle jar pane knife fork spoon key nail screw bolt chain box board sink handle rope sack blanket "
+        "shirt sweater jacket trousers sock socks hat glove gloves shoe shoes boot boots",
+        a_thing, a_thing, solid_families},
+    Qualifier{"roof gutter flashing cladding facade statue road fence gate bridge", outdoors, outdoors,
+              solid_families},
+    Qualifier{"painted", below, below, "", "paint"},
+    Qualifier{"chromed", below, below, "", "chrome"},
+    Qualifier{"gilded gilt", below, below, "", "gold"},
+    Qualifier{"rusty rusted", below, below, "", "rust"},
+    Qualifier{"galvanised galvanized", below, below, "", "galvanized steel"},
+    Qualifier{"plated plating coated coating", below, below, "", {}, true}};
 
-bool is_solid(const Material& m) {
-  constexpr std::array<std::string_view, 13> families{
-      "metal", "alloy",  "glass", "plastic", "building",  "fabric",   "leather",
-      "paper", "rubber", "stone", "wood",    "conductor", "household"};
-  const std::string& family = m.group.empty() ? m.material_class : m.group;
-  return std::find(families.begin(), families.end(), family) != families.end();
+bool has_word(std::string_view words, std::string_view word) {
+  return (" " + std::string(words) + " ").find(" " + std::string(word) + " ") != std::string::npos;
+}
+
+bool is_true_of(const Qualifier& q, const Material& m) {
+  return q.of.empty() || has_word(q.of, m.group.empty() ? m.material_class : m.group) ||
+         (has_word(q.of, "dielectric") && optical_kind(m.material_class) == "dielectric");
 }
 
 }  // namespace
 
 const Qualifier* qualifier(std::string_view word) {
-  if (word.find(' ') != word.npos) return nullptr;
-  const std::string wanted = " " + lower_case(word) + " ";
+  if (word.empty() || word.find(' ') != word.npos) return nullptr;
   const auto found = std::find_if(qualifiers.begin(), qualifiers.end(), [&](const Qualifier& each) {
-    return (" " + std::string(each.words) + " ").find(wanted) != std::string::npos;
+    return has_word(each.words, lower_case(word));
   });
   return found == qualifiers.end() ? nullptr : &*found;
 }
@@ -117,9 +121,7 @@ std::string qualifier_note(const NameWithQualifiers& name, const Material& mater
   std::string out;
   for (const auto& [word, q] : name.words) {
     const std::string_view says = surface ? q->of_surface : q->of_f0;
-    if (says.empty() || (q->of == Of::solids && !is_solid(material)) ||
-        (q->of == Of::dielectrics && optical_kind(material.material_class) != "dielectric"))
-      return {};
+    if (says.empty() || !is_true_of(*q, material)) return {};
     append(out, out.empty() ? "" : "; ", lower_case(word), ": ", says);
   }
   return out;

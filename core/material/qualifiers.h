@@ -10,20 +10,20 @@
 
 namespace etak {
 
+/// The groups and classes of what things are made of.
+inline constexpr std::string_view solid_families =
+    "metal alloy glass plastic building fabric leather paper rubber stone wood conductor household mineral";
+
 /// Words beside the name of a material that change something else than what it is: "brushed" of "brushed
 /// aluminium". The answer to the name alone then answers the whole, with one sentence on what the word
 /// changes.
 struct Qualifier {
-  /// Of which answers the sentence is true.
-  enum class Of {
-    all,
-    dielectrics,  // and of no surface: colours, which F0 of a metal or a measured surface has of its own
-    solids        // metals, glass, plastics and surfaces that things are made of
-  };
   std::string_view words;       // lower case, blanks between them
   std::string_view of_f0;       // what they change where the answer is an F0; empty: it would mislead
   std::string_view of_surface;  // where it is a diffuse colour
-  Of of = Of::all;
+  // Groups of surfaces, classes, or "dielectric", of which the sentences are true, blanks between them; empty:
+  // all. A colour is of dielectrics: F0 of a metal or a measured surface has its own.
+  std::string_view of = {};
   std::string_view seen = {};  // what is seen instead of the material: "paint" where it is painted
   bool hides = false;          // what stands before the word is seen, and hides what follows: "plated"
 };
