@@ -258,9 +258,13 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
 
   // Every pixel gets a little of the mean as weight, because bilinear look-up finds light in black pixels
   // beside bright ones.
-  double mean = 0;
+  double mean = 0, most = 0;
   for (int y = 0; y < map_.height; ++y)
-    for (int x = 0; x < map_.width; ++x) mean += luminance_at(map_, x, y) * solid_angle(map_, y) / (4 * pi);
+    for (int x = 0; x < map_.width; ++x) {
+      most = std::max(most, luminance_at(map_, x, y));
+      mean += luminance_at(map_, x, y) * solid_angle(map_, y) / (4 * pi);
+    }
+  if (mean > 0) contrast_ = most / mean;
   const double floor = mean > 0 ? 0.01 * mean : 1;
   double total = 0;
   for (int y = 0; y < map_.height; ++y) {

@@ -77,6 +77,9 @@ class Environment {
   const Image& irradiance_map() const { return irradiance_; }
   const std::vector<Level>& levels() const { return levels_; }  // from gloss 1 to gloss 0
 
+  /// The greatest luminance over the mean; 1 for an environment that is black.
+  double contrast() const { return contrast_; }
+
   /// A direction for two random numbers in [0, 1), with a density about proportional to luminance.
   Vec3 sample(double u, double v) const;
   /// The density of sample() at direction `d`, in 1/sr.
@@ -89,6 +92,7 @@ class Environment {
   std::vector<Level> levels_;
   // Cumulated luminance over the rows, and in each row over its columns; the last sums are 1.
   std::vector<double> row_sums_, column_sums_;
+  double contrast_ = 1;
 };
 
 /// A turn of the environment around y: converts directions between the scene and the map.

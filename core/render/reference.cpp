@@ -2,6 +2,8 @@
 // Based on:
 //   Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation": multiple importance sampling,
 //   the balance heuristic
+//   Sloan and Joe 1994, "Lattice Methods for Multiple Integration": rank-1 lattices; Cranley and Patterson 1976:
+//   their random shift, whose spread over independent shifts is the error that is stated
 #include "core/render/reference.h"
 
 #include <algorithm>
@@ -12,19 +14,15 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/color/colorspace.h"
-#include "core/color/gloss.h"
 #include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
 #include "core/render/backdrop.h"
-#include "core/render/optics_grid.h"
-#include "core/spectrum/integration.h"
+#include "core/render/lobe_density.h"
 
 namespace etak {
 namespace {
 
 using std::numbers::pi;
-constexpr std::size_t fresnel_steps = 4096;
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"  // of dielectric.glsl only the form for one index is used
@@ -50,18 +48,26 @@ Vec3 operator*(const Vec3& a, double s) {
   return {a[0] * s, a[1] * s, a[2] * s};
 }
 
-// Random numbers in [0, 1) that depend on pixel and sample alone (by the mixer of Steele et al. 2014,
-// SplitMix).
-class Random {
+// The places of `count` samples in the unit square: those of a rank-1 lattice by the golden ratio, shifted by two
+// random numbers that depend on the pixel and on the stream alone.
+class Lattice {
  public:
-  // Both numbers are mixed first, because streams that start one step apart would be the same stream,
-  // shifted, and show as streaks in the picture.
-  Random(std::uint64_t pixel, std::uint64_t sample)
-      : numbers_(SplitMix::mixed(SplitMix::mixed(pixel + 1) ^ (sample + 1) * 0xD1B54A32D192ED03u)) {}
-  double next() { return numbers_.uniform(); }
+  Lattice(std::uint64_t pixel, std::uint64_t stream, std::size_t count)
+      : count_(static_cast<double>(std::max<std::size_t>(count, 1))) {
+    // Both numbers are mixed first, because streams that start one step apart would be the same stream,
+    // shifted, and show as streaks in the picture.
+    SplitMix numbers(SplitMix::mixed(SplitMix::mixed(pixel + 1) ^ (stream + 1) * 0xD1B54A32D192ED03u));
+    shift_ = {numbers.uniform(), numbers.uniform()};
+  }
+  std::array<double, 2> at(std::size_t i) const {
+    const double k = static_cast<double>(i), a = k / count_ + shift_[0],
+                 b = k / std::numbers::phi + shift_[1];
+    return {a - std::floor(a), b - std::floor(b)};
+  }
 
  private:
-  SplitMix numbers_;
+  double count_;
+  std::array<double, 2> shift_{};
 };
 
 // The frame of a surface point: tangent, bitangent and normal as rows.
@@ -76,21 +82,6 @@ Vec3 out_of(const Mat3& frame, const Vec3& local) {
   return frame[0] * local[0] + frame[1] * local[1] + frame[2] * local[2];
 }
 
-// Converts spectra of reflectance to linear sRGB.
-struct Eye {
-  Quadrature quadrature = make_quadrature(Method::nm1, {});
-  Mat3 to_srgb;
-  Eye() {
-    const Xyz white = to_xyz(quadrature.white());
-    to_srgb = xyz_to_rgb(RgbSpace::srgb, white, white);
-  }
-  Vec3 see(const GridIndex& index, double c) const {
-    std::array<double, grid_size> reflectance{};
-    etak::f64::fresnel_exact(index.n, index.k, c, reflectance);
-    return to_srgb * quadrature.integrate(reflectance);
-  }
-};
-
 // Shades points of the object.
 class Shader {
  public:
@@ -99,37 +90,35 @@ class Shader {
         environment_(environment),
         turn_(scene.environment_turn_deg),
         fresnel_(fresnel),
-        exponent_(exponent_of_gloss(double{scene.surface.gloss})),
         specular_values_(seen_specular_values(scene)) {
-    if (scene.specular != nullptr && fresnel_ != nullptr)
-      lobe_ = lobe_of(*scene.specular, scene.specular_values);
     if (scene.diffuse != nullptr && !body_is_black(*scene.diffuse, scene.diffuse_values))
       diffuse_ = scene.diffuse;
+    if (scene.specular == nullptr) return;
+    if (fresnel_ != nullptr) lobe_ = lobe_of(*scene.specular, scene.specular_values);
+    bodiless_values_ = without_body(*scene.specular, specular_values_);
+    density_.emplace(*scene.specular, bodiless_values_);
   }
 
   bool has_ambient() const { return environment_ != nullptr || scene_.lights.hemispheres.has_value(); }
 
   // f_r of the specular part plus opacity times that of the diffuse part, for directions in the frame of the
   // point.
-  Vec3 reflectance(const Vec3& l, const Vec3& v) const {
-    const Directions d{l[0], l[1], l[2], v[0], v[1], v[2]};
+  Vec3 reflectance(const Vec3& l, const Vec3& v) const { return specular(l, v) + body(l, v); }
+
+  Vec3 specular(const Vec3& l, const Vec3& v) const {
+    if (!lobe_) return scene_.specular == nullptr ? Vec3{} : f_r(*scene_.specular, bodiless_values_, l, v);
+    const Vec3 bisector = l + v;
+    const double lh = std::min(1.0, std::sqrt(dot(bisector, bisector)) / 2);
+    return fresnel_->at(lh) * f_r(*lobe_->model, lobe_->values, l, v);
+  }
+
+  // What the whole model of kind both has beside its specular part, or the diffuse model.
+  Vec3 body(const Vec3& l, const Vec3& v) const {
     Vec3 out{};
-    if (lobe_) {
-      const Vec3 bisector = l + v;
-      const double lh = std::min(1.0, std::sqrt(dot(bisector, bisector)) / 2);
-      double lobe[3];
-      lobe_->model->f64(d, lobe_->values.data(), lobe);
-      out = fresnel_->at(lh) * Vec3{lobe[0], lobe[1], lobe[2]};
-    } else if (scene_.specular != nullptr) {
-      double rgb[3];
-      scene_.specular->f64(d, specular_values_.data(), rgb);
-      out = {rgb[0], rgb[1], rgb[2]};
-    }
-    if (diffuse_ != nullptr) {
-      double rgb[3];
-      diffuse_->f64(d, scene_.diffuse_values.data(), rgb);
-      out = out + Vec3{rgb[0], rgb[1], rgb[2]} * scene_.surface.opacity;
-    }
+    if (scene_.specular != nullptr && bodiless_values_ != specular_values_)
+      out =
+          f_r(*scene_.specular, specular_values_, l, v) + f_r(*scene_.specular, bodiless_values_, l, v) * -1;
+    if (diffuse_ != nullptr) out = out + f_r(*diffuse_, scene_.diffuse_values, l, v) * scene_.surface.opacity;
     return out;
   }
 
@@ -154,41 +143,51 @@ class Shader {
     return sum;
   }
 
-  // One unbiased sample of the reflected light from hemispheres and environment.
-  Vec3 ambient_sample(const Mat3& frame, const Vec3& v, Random& random) const {
-    const double pick = random.next(), a = random.next(), b = random.next();
-    const bool by_light = environment_ != nullptr;
-    const double share = by_light ? 1.0 / 3 : 0.5;
-    Vec3 l;
-    if (by_light && pick < share) {
-      l = frame * turn_.from_map(environment_->sample(a, b));
-    } else if (pick < 2 * share && (by_light || pick < share)) {
-      const double radius = std::sqrt(a), phi = 2 * pi * b;
-      l = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - a)};
-    } else {
-      // The half vector has the density nh^e over the hemisphere; the viewer is mirrored at it.
-      const double nh = std::pow(a, 1 / (exponent_ + 1)),
-                   sine = std::sqrt(std::max(0.0, (1 - nh) * (1 + nh)));
-      const double phi = 2 * pi * b;
-      const Vec3 h{sine * std::cos(phi), sine * std::sin(phi), nh};
-      l = h * (2 * dot(h, v)) + v * -1;
+  // A point whose ambient light is sampled: its frame, and the viewer in that frame.
+  struct Point {
+    Mat3 frame;
+    Vec3 v;
+  };
+
+  // The ambient light that the points of a pixel reflect, as means that several independent sets of samples give,
+  // and how many samples each of these sets has.
+  static constexpr std::size_t set_count = 8;
+  struct Estimates {
+    std::array<Vec3, set_count> mean{};
+    std::array<double, set_count> count{};
+  };
+
+  // Integrates the light of hemispheres and environment over both parts of the model.
+  //   samples   of each part for each point
+  Estimates ambient(const std::vector<Point>& points, int samples, std::uint64_t pixel) const {
+    Estimates out;
+    const bool by_light = environment_ != nullptr && environment_->contrast() > even_contrast;
+    const std::size_t each = std::max<std::size_t>(1, static_cast<std::size_t>(samples) / (by_light ? 2 : 1));
+    const std::size_t total = points.size() * each;
+    for (const bool lobe : {true, false}) {
+      if (lobe ? scene_.specular == nullptr : !has_body()) continue;
+      for (std::size_t set = 0; set < set_count; ++set) {
+        const Lattice own(pixel, 4 * set + (lobe ? 0 : 1), total / set_count),
+            light(pixel, 4 * set + (lobe ? 2 : 3), total / set_count);
+        std::size_t taken = 0;
+        Vec3 sum{};
+        for (std::size_t t = 0; t < total; ++t) {
+          // Every set has samples of all points, where there are enough of them.
+          if ((t / points.size() + t) % set_count != set) continue;
+          const Point& point = points[t % points.size()];
+          sum = sum + weighted(point, own_direction(lobe, point.v, own.at(taken)), lobe, by_light);
+          if (by_light) {
+            const auto [a, b] = light.at(taken);
+            sum = sum +
+                  weighted(point, point.frame * turn_.from_map(environment_->sample(a, b)), lobe, by_light);
+          }
+          ++taken;
+        }
+        out.count[set] = static_cast<double>(taken);
+        if (taken > 0) out.mean[set] = out.mean[set] + sum * (1 / out.count[set]);
+      }
     }
-    if (l[2] <= 0) return {};
-    const Vec3 bisector = l + v;
-    const double length = std::sqrt(dot(bisector, bisector));
-    const double nh = bisector[2] / length, vh = length / 2;
-    const Vec3 outside = out_of(frame, l);
-    const double lobe_pdf = (exponent_ + 1) / (2 * pi) * std::pow(nh, exponent_) / (4 * vh);
-    double pdf = share * (l[2] / pi + lobe_pdf);
-    if (by_light) pdf += share * environment_->pdf(turn_.to_map(outside));
-    if (!(pdf > 0)) return {};
-    Vec3 radiance{};
-    if (environment_ != nullptr) radiance = environment_->radiance(turn_.to_map(outside));
-    if (scene_.lights.hemispheres) {
-      const Hemispheres& h = *scene_.lights.hemispheres;
-      radiance = radiance + (dot(outside, h.axis) > 0 ? h.upper : h.lower);
-    }
-    return reflectance(l, v) * radiance * (l[2] / pdf);
+    return out;
   }
 
   // The light that is seen through the object.
@@ -220,9 +219,57 @@ class Shader {
   EnvironmentTurn turn_;
   const SpectralFresnel* fresnel_;
   const Model* diffuse_ = nullptr;
-  double exponent_;
-  std::vector<double> specular_values_;
+  std::vector<double> specular_values_, bodiless_values_;
   std::optional<Lobe> lobe_;
+  std::optional<LobeDensity> density_;
+
+  // An environment whose brightest direction is not brighter than this, over the mean, needs no samples by its
+  // light: those by cosine and lobe have less variance there, and none for Lambert under an even light.
+  static constexpr double even_contrast = 4;
+
+  static Vec3 f_r(const Model& model, const std::vector<double>& values, const Vec3& l, const Vec3& v) {
+    double rgb[3];
+    model.f64({l[0], l[1], l[2], v[0], v[1], v[2]}, values.data(), rgb);
+    return {rgb[0], rgb[1], rgb[2]};
+  }
+
+  bool has_body() const {
+    return diffuse_ != nullptr || (scene_.specular != nullptr && bodiless_values_ != specular_values_);
+  }
+
+  // A direction by the lobe of the specular part, or by the cosine for the diffuse part.
+  Vec3 own_direction(bool lobe, const Vec3& v, const std::array<double, 2>& at) const {
+    const double phi = 2 * pi * at[1];
+    if (!lobe) {
+      const double radius = std::sqrt(at[0]);
+      return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - at[0])};
+    }
+    const double theta = density_->polar(at[0]);
+    const Vec3 h{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+    const double vh = dot(h, v);
+    return vh > 0 ? h * (2 * vh) + v * -1 : Vec3{0, 0, -1};
+  }
+
+  // The reflected light from direction l over the density of the samples there, which both strategies give.
+  Vec3 weighted(const Point& point, const Vec3& l, bool lobe, bool by_light) const {
+    if (l[2] <= 0) return {};
+    const Vec3 outside = out_of(point.frame, l);
+    double pdf = l[2] / pi;
+    if (lobe) {
+      const Vec3 bisector = l + point.v;
+      const double length = std::sqrt(dot(bisector, bisector));
+      pdf = density_->pdf(std::atan2(std::hypot(bisector[0], bisector[1]), bisector[2])) / (2 * length);
+    }
+    if (by_light) pdf += environment_->pdf(turn_.to_map(outside));
+    if (!(pdf > 0)) return {};
+    Vec3 radiance{};
+    if (environment_ != nullptr) radiance = environment_->radiance(turn_.to_map(outside));
+    if (scene_.lights.hemispheres) {
+      const Hemispheres& h = *scene_.lights.hemispheres;
+      radiance = radiance + (dot(outside, h.axis) > 0 ? h.upper : h.lower);
+    }
+    return (lobe ? specular(l, point.v) : body(l, point.v)) * radiance * (l[2] / pdf);
+  }
 };
 
 struct PixelSum {
@@ -231,106 +278,55 @@ struct PixelSum {
   double square_error = 0;
 };
 
+// Adds the mean of the estimates to the colour, and its squared standard error, which is that of means of sets.
+void add_ambient(const Shader::Estimates& estimates, double hits, PixelSum& out) {
+  double total = 0, sets = 0, squares = 0;
+  for (const double count : estimates.count) {
+    total += count;
+    sets += count > 0;
+  }
+  Vec3 mean{};
+  for (std::size_t i = 0; i < estimates.mean.size(); ++i)
+    mean = mean + estimates.mean[i] * (estimates.count[i] / total);
+  for (std::size_t i = 0; i < estimates.mean.size(); ++i) {
+    const double off = luminance_of(estimates.mean[i]) - luminance_of(mean);
+    squares += std::pow(estimates.count[i] / total * off, 2);
+  }
+  out.color = out.color + mean * hits;
+  if (sets > 1) out.square_error = squares * sets / (sets - 1) * hits * hits;
+}
+
 PixelSum draw_pixel(const Scene& scene, const Camera& camera, const SceneBackdrop& backdrop,
                     const Shader& shader, const ReferenceOptions& options, int column, int row) {
   PixelSum out;
   const int side = options.samples_per_side;
   const auto pixel = static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(scene.width) +
                      static_cast<std::uint64_t>(column);
-  // The variance of the ambient light is estimated for each pixel, over all its samples.
-  double sum = 0, squares = 0, count = 0;
+  std::vector<Shader::Point> points;
   for (int i = 0; i < side * side; ++i) {
     const double x = camera.x(column + (i % side + 0.5) / side), y = camera.y(row + (i / side + 0.5) / side);
     if (!camera.meets(x, y)) {
       out.color = out.color + backdrop.at(x, y);
       continue;
     }
-    ++out.hits;
     const Camera::Sight sight = camera.sight(x, y);
     const Mat3 frame = frame_of(sight.normal);
-    const Vec3 v = frame * sight.viewer;
-    Vec3 light = shader.from_lights(sight.position, frame, v);
-    if (shader.has_ambient() && options.light_samples > 0) {
-      Random random(pixel, static_cast<std::uint64_t>(i));
-      Vec3 ambient{};
-      for (int s = 0; s < options.light_samples; ++s) {
-        const Vec3 one = shader.ambient_sample(frame, v, random);
-        ambient = ambient + one;
-        const double y_one = luminance_of(one);
-        sum += y_one;
-        squares += y_one * y_one;
-        ++count;
-      }
-      light = light + ambient * (1.0 / options.light_samples);
-    }
-    out.color = out.color + light + shader.through(sight, v[2], backdrop.at(x, y));
+    points.push_back({frame, frame * sight.viewer});
+    const Vec3& v = points.back().v;
+    out.color = out.color + shader.from_lights(sight.position, frame, v) +
+                shader.through(sight, v[2], backdrop.at(x, y));
   }
+  out.hits = static_cast<double>(points.size());
+  if (shader.has_ambient() && options.light_samples > 0 && !points.empty())
+    add_ambient(shader.ambient(points, options.light_samples, pixel), out.hits, out);
   const double rays = double(side) * side;
   out.color = out.color * (1 / rays);
   out.hits /= rays;
-  if (count > 1) {
-    const double variance = std::max(0.0, squares / count - (sum / count) * (sum / count));
-    // The pixel's ambient light is out.hits times the mean of `count` samples.
-    out.square_error = variance / count * out.hits * out.hits;
-  }
+  out.square_error /= rays * rays;
   return out;
 }
 
 }  // namespace
-
-SpectralFresnel::SpectralFresnel(const OpticalConstants& optics) : table_(fresnel_steps + 1) {
-  const GridIndex index = grid_index(optics, "spectral Fresnel");
-  const Eye eye;
-  for (std::size_t i = 0; i <= fresnel_steps; ++i) table_[i] = eye.see(index, double(i) / fresnel_steps);
-}
-
-Vec3 SpectralFresnel::at(double c) const {
-  const double at = std::clamp(c, 0.0, 1.0) * fresnel_steps;
-  const auto i = std::min(static_cast<std::size_t>(at), fresnel_steps - 1);
-  const double share = at - static_cast<double>(i);
-  return table_[i] * (1 - share) + table_[i + 1] * share;
-}
-
-Vec3 SpectralFresnel::exact(const OpticalConstants& optics, double c) {
-  return Eye().see(grid_index(optics, "spectral Fresnel"), c);
-}
-
-std::optional<Lobe> lobe_of(const Model& model, const std::vector<double>& values) {
-  Lobe out{&model, values};
-  bool has_fresnel = false;
-  // Schueler's Optimized has a hidden Fresnel term K / lh. Its lobe is taken from the bounded form, where
-  // K = 1 gives F = 1.
-  if (model.id == "schueler-optimized")
-    if (const Model* bounded = find_model("schueler-optimized-bounded");
-        bounded && bounded->value_count() == values.size())
-      out.model = bounded;
-  std::size_t at = 0;
-  for (const Parameter& parameter : out.model->parameters) {
-    for (std::size_t c = 0; c < (parameter.color ? 3u : 1u); ++c, ++at) {
-      switch (parameter.role) {
-        case Role::f0:
-        case Role::f82:
-          out.values[at] = 1;
-          has_fresnel = true;
-          break;
-        case Role::n:
-          out.values[at] = 1;
-          break;
-        case Role::k:
-          out.values[at] = 1e6;
-          has_fresnel = true;
-          break;  // F = 1 - 4e-12
-        case Role::diffuse:
-          if (values[at] != 0) return std::nullopt;
-          break;
-        default:
-          break;
-      }
-    }
-  }
-  if (!has_fresnel) return std::nullopt;
-  return out;
-}
 
 Reference render_reference(const Scene& scene, const Environment* environment,
                            const ReferenceOptions& options, const RowsDone& rows_done) {

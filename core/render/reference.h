@@ -29,7 +29,9 @@ class SpectralFresnel {
 
 struct ReferenceOptions {
   int samples_per_side = 4;  // of a pixel: 4 x 4 rays
-  int light_samples = 16;    // for each ray, of hemispheres and environment; 0: these are left out
+  // For each ray and each part of the surface (specular, diffuse), of hemispheres and environment; 0: these are
+  // left out. The error is known from 2 samples per pixel on.
+  int light_samples = 16;
   unsigned threads = 1;
 };
 
@@ -42,13 +44,14 @@ struct Reference {
 };
 
 /// Draws `scene` in double, with sampling as the only approximation. Discrete lights are summed. Hemispheres
-/// and environment are integrated over the model itself by multiple importance sampling with the balance
-/// heuristic: one third of the samples each follow the light, the cosine, and the lobe of the scene's gloss
-/// (without an environment, one half each follow the cosine and the lobe). Coverage is the share of rays that
-/// meet the object. Where the surface has optics, Fresnel is computed for each wavelength: f_r is the model's
-/// lobe (its f_r with F = 1) times SpectralFresnel at the half angle. Random numbers depend on pixel and
-/// sample alone, so the picture is the same for any number of threads. Throws Error for scenes that
-/// validate() refuses.
+/// and environment are integrated over the model itself: the specular part by samples that follow its own lobe
+/// (LobeDensity), the diffuse part by samples that follow the cosine, and in an environment that is not even,
+/// half of the samples of either follow the light; they are combined by multiple importance sampling with the
+/// balance heuristic. Samples are lattices over the rays of a pixel, eight sets of them with shifts of their own.
+/// So Lambert in an even surrounding is exact. Coverage is the share of rays that meet the object. Where the
+/// surface has optics, Fresnel is computed for each wavelength: f_r is the model's lobe (its f_r with F = 1)
+/// times SpectralFresnel at the half angle. Random shifts depend on the pixel alone, so the picture is the same
+/// for any number of threads. Throws Error for scenes that validate() refuses.
 Reference render_reference(const Scene& scene, const Environment* environment,
                            const ReferenceOptions& options, const RowsDone& rows_done = {});
 
