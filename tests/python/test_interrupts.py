@@ -64,6 +64,7 @@ class Interrupts(unittest.TestCase):
         mine = [etak.dataset(NM, n=np.full(471, 1.5)) for _ in range(20000)]
         self.assert_heard(lambda: [etak.f0(mine) for _ in range(10)])
         self.assert_heard(lambda: [etak.f0(["gold", "silver"] * 10000) for _ in range(100)])
+        self.assert_heard(lambda: [etak.f0(["gold"] * 10**6) for _ in range(10)])
         self.assert_heard(lambda: etak.export(["gold"] * 100000, "mtlx"))
         self.assert_heard(lambda: etak.choose(["gold", "silver", "iron"] * 50, roughness=0.3), 0.5)
 
