@@ -32,9 +32,8 @@ Subjects asked_subjects(const py::object& materials) {
   out.scene.clear();
   const bool is_one =
       is_text(materials) || py::isinstance<Material>(materials) || py::isinstance<DatasetOf>(materials);
-  const py::tuple all = is_one ? py::make_tuple(materials) : py::tuple(materials);
-  for (const py::handle each : all)
-    out.asked.push_back(asked_material(py::reinterpret_borrow<py::object>(each), {}));
+  out.asked = asked_materials(
+      is_one ? std::vector{materials} : py::list(materials).cast<std::vector<py::object>>(), {});
   if (out.asked.empty()) throw Error::at("materials", "no material", "a material, several, or a scene");
   return out;
 }
@@ -55,6 +54,7 @@ Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const
     all = scene_subjects(subjects.scene, pack, library.get(), out.remarks);
   }
   for (const AskedMaterial& asked : subjects.asked) {
+    work.go_on();
     const DatasetOf found = read_one(asked, library, {});
     all.push_back(library_subject(*found.material, found.dataset(), given, out.remarks));
   }

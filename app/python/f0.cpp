@@ -115,21 +115,22 @@ struct F0Answer {
   F0Row row;
   std::shared_ptr<const F0Solver> solver;    // null: `words` are from a pickle
   std::shared_ptr<const Material> material;  // null: of a file without one
-  GivenF0Settings settings;                  // keeps tables of the caller's for the solver
   F0Words words;
 
   const F0Result& result() const { return row.result; }
 };
 
+// With the tables of the caller's that it reads.
 std::shared_ptr<const F0Solver> solver_of(const GivenF0Settings& settings, const Library& library) {
-  return std::make_shared<const F0Solver>(options_of(settings, library));
+  const auto both = std::make_shared<std::pair<GivenF0Settings, F0Solver>>(
+      settings, F0Solver(options_of(settings, library)));
+  return {both, &both->second};
 }
 
 F0Answer answer(const AskedMaterial& asked, bool axis_average, const std::shared_ptr<const F0Solver>& solver,
-                const GivenF0Settings& settings, const TableSettings& tables, const Library& library) {
+                const TableSettings& tables, const Library& library) {
   F0Answer out;
   out.solver = solver;
-  out.settings = settings;
   const MaterialInput input = find_one(asked, library);
   const F0Job job{*out.solver, table_options(tables), axis_average, true, false};
   F0Worker worker;
@@ -199,28 +200,35 @@ std::string html_of(const F0Answer& answer) {
          escape_html(answer.row.source) + "</pre></div>";
 }
 
-// The answers of materials, in their order.
-std::vector<F0Answer> answers(const std::vector<py::object>& materials, const std::string& dataset,
-                              bool axis_average, const py::dict& given, const Library& library, int threads) {
+// The answers of materials, in their order; one object for those that ask the same.
+py::list answers(const std::vector<py::object>& materials, const std::string& dataset, bool axis_average,
+                 const py::dict& given, const Library& library, int threads) {
   const std::vector<AskedMaterial> asked = asked_materials(materials, dataset);
   const GivenF0Settings settings = f0_settings({given});
   const TableSettings tables = table_settings({given});
   LongWork work;
-  return work.unlocked([&] {
+  std::vector<std::size_t> first;  // that asks the same
+  const auto made = work.unlocked([&] {
     const auto solver = solver_of(settings, library);
-    std::vector<F0Answer> out(asked.size());
+    std::vector<std::shared_ptr<F0Answer>> out(asked.size());
     std::map<std::pair<std::string, const Material*>, std::size_t> places;
-    std::vector<std::size_t> first;  // that asks the same
-    for (const AskedMaterial& each : asked)
+    for (const AskedMaterial& each : asked) {
+      work.go_on();
       first.push_back(places.try_emplace({each.text, each.material.get()}, first.size()).first->second);
+    }
     parallel_chunks(asked.size(), threads_of(threads), 1, [&](std::size_t i, std::size_t, unsigned) {
       work.go_on();
-      if (first[i] == i) out[i] = answer(asked[i], axis_average, solver, settings, tables, library);
+      if (first[i] == i)
+        out[i] = std::make_shared<F0Answer>(answer(asked[i], axis_average, solver, tables, library));
     });
-    for (std::size_t i = 0; i < out.size(); ++i)
-      if (first[i] != i) out[i] = out[first[i]];
     return out;
   });
+  py::list out;
+  for (const std::size_t i : first) {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    out.append(made[i]);
+  }
+  return out;
 }
 
 // ---- what Python sees of it
@@ -331,8 +339,8 @@ void add_data(const auto& get) {
 
 void add_f0(py::module_& module) {
   add_spread(module);
-  py::class_<F0Answer> f0(module, "F0",
-                          "Reflectance at normal incidence as a colour, and what one must know to trust it.");
+  py::class_<F0Answer, std::shared_ptr<F0Answer>> f0(
+      module, "F0", "Reflectance at normal incidence as a colour, and what one must know to trust it.");
   be_value(
       f0,
       [](const F0Answer& a) {
@@ -342,7 +350,7 @@ void add_f0(py::module_& module) {
       },
       [](const py::bytes& row, const std::string& space, const std::string& policy, const std::string& text,
          const std::string& json, const std::optional<Spread>& spread) {
-        return F0Answer{from_bytes<F0Row>(row), nullptr, nullptr, {}, {space, policy, text, json, spread}};
+        return F0Answer{from_bytes<F0Row>(row), nullptr, nullptr, {space, policy, text, json, spread}};
       });
   const auto get = attributes_of(f0);
   add_origin(get);

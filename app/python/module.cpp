@@ -71,7 +71,10 @@ std::vector<std::string> texts_of(const py::handle& value, const std::string& na
   if (value.is_none()) return {};
   if (is_text(value)) return {text_of(value, name)};
   std::vector<std::string> out;
-  for (const py::handle each : py::iter(value)) out.push_back(text_of(each, name));
+  for (const py::handle each : py::iter(value)) {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    out.push_back(text_of(each, name));
+  }
   return out;
 }
 

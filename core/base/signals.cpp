@@ -56,6 +56,15 @@ void clean_and_end() {
   sys::end_by(ending);
 }
 
+// Where a signal has come, no new work begins, nor does a thread end the program as if all was well: the last one that
+// held the signal back ends it.
+void let_go() {
+  const bool last = --held == 0;
+  if (ending == 0) return;
+  if (last) clean_and_end();
+  sys::wait_for_end();
+}
+
 void handle(int number) {
   int none = 0;
   ending.compare_exchange_strong(none, number);
@@ -72,15 +81,11 @@ SignalsHeld::SignalsHeld() {
   // A thread that holds signals already must go on to where it lets them go.
   if (held_here++ > 0) return;
   ++held;
-  if (ending == 0) return;
-  // A signal has come: no new work begins, and the last thread that held it back ends the program.
-  if (--held == 0) clean_and_end();
-  sys::wait_for_end();
+  if (ending != 0) let_go();
 }
 
 SignalsHeld::~SignalsHeld() {
-  if (--held_here > 0) return;
-  if (--held == 0 && ending != 0) clean_and_end();
+  if (--held_here == 0) let_go();
 }
 
 int remember_temporary(int folder, const char* name, int opened) {

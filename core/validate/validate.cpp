@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/files/between_files.h"
 #include "core/base/files/links.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/hash/sha256.h"
@@ -192,6 +193,7 @@ void join_scenes(std::vector<FoundTarget>& targets) {
 bool names_whole_tree(const ValidationRequest& request) {
   std::error_code failure;
   return std::ranges::any_of(request.paths, [&](const std::string& path) {
+    BetweenFiles::call();
     return std::filesystem::equivalent(path, request.config.root, failure);
   });
 }

@@ -64,8 +64,12 @@ class Interrupts(unittest.TestCase):
         mine = [etak.dataset(NM, n=np.full(471, 1.5)) for _ in range(20000)]
         self.assert_heard(lambda: [etak.f0(mine) for _ in range(10)])
         self.assert_heard(lambda: [etak.f0(["gold", "silver"] * 10000) for _ in range(100)])
+        self.assert_heard(lambda: [etak.f0(["gold"] * 10**6) for _ in range(10)])
         self.assert_heard(lambda: etak.export(["gold"] * 100000, "mtlx"))
         self.assert_heard(lambda: etak.choose(["gold", "silver", "iron"] * 50, roughness=0.3), 0.5)
+        self.assert_heard(lambda: etak.choose(["gold"] * 10**6, roughness=0.3))
+        self.assert_heard(lambda: [etak.validate(["nowhere.png"] * 10**6) for _ in range(10)])
+        self.assert_heard(lambda: etak.validate([f"no_{i}.png" for i in range(10**5)], only=["ETK101"] * 10**6))
 
     def test_opening_a_library_hears_it_between_two_files(self):
         shown = subprocess.run([PROGRAM, "show", "gold", "--format", "json"], capture_output=True, text=True, check=True)

@@ -137,6 +137,7 @@ class Notebooks(unittest.TestCase):
 
     def test_the_names_of_the_module_are_its_own(self):
         names = {name for name in dir(etak) if not name.startswith("__")}
+        self.assertEqual({name for name in names if not hasattr(etak, name)}, set())
         self.assertEqual(names, {name for name in etak.__all__ if not name.startswith("__")} | {"convert", "eval"})
         for name in ("Any", "Callable", "Optional", "Union", "annotations"):
             self.assertNotIn(name, dir(etak))

@@ -38,15 +38,16 @@ def build_library(folder):
 class Job:
     """A run whose calls fail. `path` is what it writes; `before` the commands that make what lay there.
     beside  what it changes too and may leave as it likes: the folder of a cache
-    tree    whether the files of `path` are put in place one by one, so that after a kill some may be old and some new"""
+    tree    whether the files of `path` are put in place one by one, so that some may be old and some new after a kill, and
+            where no call succeeds any more that would put the old ones back"""
 
     def __init__(self, name, command, path, before=(), beside=None, tree=False):
         self.name, self.command, self.before = name, command, before
         self.path, self.beside, self.tree = path, beside, tree
         self.calls, self.allocations = "", 0
 
-    def is_whole(self, now):
-        if not self.tree:
+    def is_whole(self, now, mode):
+        if not self.tree or mode == "once":
             return now in (self.old, self.new)
         old, new = self.old or {}, self.new or {}
         return all((now or {}).get(name) in (old.get(name), new.get(name)) for name in {*old, *new, *(now or {})})
@@ -117,7 +118,7 @@ class Injector:
         else:
             self.judge(tally, job, result)
         now = content(job.folder / job.path)
-        if not job.is_whole(now):
+        if not job.is_whole(now, mode):
             tally.fault("mixed", f"{job.name}: {job.path} is neither the old nor the new", result, job.folder)
         if now != job.old or leftovers(job.folder):
             self.run_again(tally, job, result)

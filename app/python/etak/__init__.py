@@ -45,6 +45,9 @@ def _documents() -> Any:
 def __getattr__(name: str) -> Any:
     if name in ("CheckedFile", "Choice", "Choices", "Finding", "Packed", "Report"):
         return getattr(_documents(), name)
+    if name == "convert":
+        from importlib import import_module
+        return import_module("etak.convert")
     raise AttributeError(f"module 'etak' has no attribute {name!r}")
 
 

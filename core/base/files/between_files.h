@@ -7,8 +7,8 @@
 
 namespace etak {
 
-/// While an object of this class lives, read_file() and the search of a folder call a function before each file, in its
-/// thread, so that work on many files can be ended between two of them: by an exception that is no Error, because an
+/// While an object of this class lives, read_file(), the search of a folder and the walk through a list of files call a
+/// function before each file, in its thread, so that work on many files can be ended between two of them: by an exception that is no Error, because an
 /// Error is told of the one file, and the work goes on.
 class BetweenFiles {
  public:

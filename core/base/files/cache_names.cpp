@@ -43,7 +43,6 @@ bool is_marked(int root) {
 // The first name in the folder that no cache makes; empty where there is none.
 std::string foreign_name(int root) {
   for (const std::string& name : names_in(root)) {
-    if (name == tag_file && is_marked(root)) continue;  // by another program, since this one has looked
     if (name == account_file)
       if (const auto text = first_bytes_of(root, account_file); text && is_account(*text)) continue;
     const IsOwnName is_own = own_names_of(name);
@@ -92,7 +91,8 @@ std::optional<CacheAccount> read_account(std::string_view text) {
 
 void CacheFolder::State::own_folder() {
   if (is_marked(root.get())) return;
-  if (const std::string foreign = foreign_name(root.get()); !foreign.empty())
+  // Another run may have marked the folder and used it since this one has looked.
+  if (const std::string foreign = foreign_name(root.get()); !foreign.empty() && !is_marked(root.get()))
     throw Error::at(
         setting("cache"),
         printable(options.path, 200) + " is no cache of etak: it holds " + in_quotes(foreign, 200),

@@ -38,6 +38,18 @@ bool holds_working_folder(const std::string& folder) {
   return here == folder || here.starts_with(folder + "/");
 }
 
+// Whether a folder is a mount, also of a folder of the same disk. A rename of "." is never done, and between two mounts
+// the reason is that.
+bool is_mount_point(const std::string& folder, const std::string& above) {
+  sys::FileInfo inner, outer;
+  if (sys::file_info(folder, inner) && sys::file_info(above, outer) && inner.device != outer.device)
+    return true;
+  const Descriptor from(sys::open_file(above, sys::Open::folder)),
+      to(sys::open_file(folder, sys::Open::folder));
+  return sys::can_exchange() && from && to && !sys::rename_in(from.get(), ".", to.get(), ".") &&
+         errno == EXDEV;
+}
+
 }  // namespace
 
 bool is_plain_file_name(std::string_view name) {
@@ -105,10 +117,8 @@ void OutputFolder::State::find_target() {
     throw Error::at(path, "is a link that leads nowhere", "a folder to write to");
   parent_path = sys::path_text(whole.parent_path());
   name = sys::path_text(whole.filename());
-  sys::FileInfo target, above;
-  const bool mounted = there && sys::file_info(sys::path_text(whole), target) &&
-                       sys::file_info(parent_path, above) && target.device != above.device;
-  inside = there && (name.empty() || mounted || !sys::may_write(parent_path));
+  inside = there && (name.empty() || is_mount_point(sys::path_text(whole), parent_path) ||
+                     !sys::may_write(parent_path));
   exchanges = !inside && !(there && (!sys::can_exchange() || holds_working_folder(sys::path_text(whole))));
   parent = Descriptor(sys::open_file(inside ? sys::path_text(whole) : parent_path, sys::Open::folder));
   if (!parent) fail("cannot be written");
@@ -328,7 +338,7 @@ void OutputFolder::prepare() {
   }
   // One commit into this parent at a time, so that no file is left behind that appears between the look
   // and the exchange.
-  s.placing.emplace(s.parent.get(), most_wait, s.inside ? "" : s.name);
+  s.placing.emplace(s.parent.get(), most_wait, s.inside ? "" : s.name, s.fresh_folder());
   if (s.placing->is_taken())
     throw Error::at(s.path, "cannot be put in place: another run of etak holds its lock");
   using Kind = sys::FileInfo::Kind;

@@ -51,7 +51,7 @@ struct OutputTree::State {
   DiskQueue disk;
 
   Descriptor folder_of(const std::string& name, bool make);
-  bool place_one(std::size_t i);
+  void place_one(std::size_t i);
   void take_back(std::size_t placed);
 
   [[noreturn]] void fail(const char* what, const std::string& file = {}) const {
@@ -141,37 +141,41 @@ void OutputTree::prepare() {
   }
 }
 
-bool OutputTree::State::place_one(std::size_t i) {
+void OutputTree::State::place_one(std::size_t i) {
   const Descriptor at = folder_of(names[i], false);
   const std::string number = std::to_string(i), name = name_in_folder(names[i]);
   const int from = fresh.open().get();
-  if (!replaces[i]) return rename_where_free(from, number, at.get(), name);
   // Where there are no hard links, what is replaced cannot be put back.
-  (void)sys::link_in(at.get(), name, from, old_of(i));
-  return sys::rename_in(from, number, at.get(), name);
+  if (replaces[i]) (void)sys::link_in(at.get(), name, from, old_of(i));
+  if ((replaces[i] ? sys::rename_in : rename_where_free)(from, number, at.get(), name)) return;
+  if (errno == EEXIST) throw exists_already(path + "/" + names[i]);
+  fail("cannot be put in place", names[i]);
 }
 
 // Undoes the first `placed` renames.
 void OutputTree::State::take_back(std::size_t placed) {
-  for (std::size_t i = placed; i-- > 0;) {
-    const Descriptor at = folder_of(names[i], false);
-    const std::string name = name_in_folder(names[i]);
-    if (replaces[i])
-      sys::rename_in(fresh.open().get(), old_of(i), at.get(), name);
-    else
-      sys::remove_in(at.get(), name.c_str());
+  while (placed-- > 0) {
+    try {
+      const Descriptor at = folder_of(names[placed], false);
+      const std::string name = name_in_folder(names[placed]);
+      if (replaces[placed])
+        sys::rename_in(fresh.open().get(), old_of(placed), at.get(), name);
+      else
+        sys::remove_in(at.get(), name.c_str());
+    } catch (const Error&) {
+      // Its folder is gone or cannot be opened: the others are put back all the same.
+    }
   }
 }
 
 void OutputTree::place() {
   State& s = *state_;
-  for (std::size_t i = 0; i < s.names.size(); ++i) {
-    if (s.place_one(i)) continue;
-    const int why = errno;
-    s.take_back(i);
-    if (why == EEXIST) throw exists_already(s.path + "/" + s.names[i]);
-    errno = why;
-    s.fail("cannot be put in place", s.names[i]);
+  std::size_t placed = 0;
+  try {
+    for (; placed < s.names.size(); ++placed) s.place_one(placed);
+  } catch (...) {
+    s.take_back(placed);
+    throw;
   }
   s.new_folders.clear();
 }

@@ -82,6 +82,11 @@ void remove_folder(int parent, const std::string& name, int home, Descriptor ope
   sys::remove_folder_in(parent, name.c_str());
 }
 
+bool same_owner(int a, int b) {
+  sys::FileInfo one, other;
+  return sys::file_info(a, one) && sys::file_info(b, other) && one.owner == other.owner;
+}
+
 // Removes what a killed run has left: it has the form of a temporary's name, the owner of `fresh`, which this run has
 // made there, and nobody holds its lock. A temporary that another run has just made is not locked yet: that run sees
 // that its file was locked or removed, and takes another name.
@@ -140,7 +145,7 @@ bool rename_where_free(int from, const std::string& name, int to, const std::str
   return false;
 }
 
-FolderLock::FolderLock(int folder, std::chrono::milliseconds most, std::string_view name)
+FolderLock::FolderLock(int folder, std::chrono::milliseconds most, std::string_view name, int made)
     : folder_(folder), name_(prefix_of(name) + "lock") {
   const auto end = std::chrono::steady_clock::now() + most;
   auto pause = 1ms;
@@ -157,8 +162,9 @@ FolderLock::FolderLock(int folder, std::chrono::milliseconds most, std::string_v
         remembered_ = remember_temporary(folder, name_.c_str(), -1);
         return;
       }
-      taken_ = errno == EWOULDBLOCK;
-      if (!taken_) sys::remove_in(folder, name_.c_str());  // a file system without locks
+      const bool locked = errno == EWOULDBLOCK;
+      taken_ = locked && (made < 0 || same_owner(made, file.get()));
+      if (!locked) sys::remove_in(folder, name_.c_str());  // a file system without locks
       if (!taken_ || std::chrono::steady_clock::now() >= end) return;
     }
     std::this_thread::sleep_for(pause);

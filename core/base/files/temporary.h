@@ -32,13 +32,14 @@ class FolderLock {
  public:
   ///   folder   stays the caller's, open as long as this lives
   ///   most     how long another run that holds the lock is waited for
-  FolderLock(int folder, std::chrono::milliseconds most, std::string_view name = "folder");
+  ///   made     open, and made in that folder by this run: a lock of another owner is no lock; -1: all owners count
+  FolderLock(int folder, std::chrono::milliseconds most, std::string_view name = "folder", int made = -1);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
   bool held() const { return static_cast<bool>(file_); }
   /// Whether another run of this user held the lock all the time. Where neither this nor held() is true, there are no
-  /// locks: the file cannot be made, belongs to somebody else, or its file system has none.
+  /// locks: the file cannot be made, was made by somebody else, or its file system has none.
   bool is_taken() const { return taken_; }
 
  private:

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/files/between_files.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/input.h"
 #include "core/base/parallel.h"
@@ -109,6 +110,7 @@ class Finder {
   }
 
   void add_path(const std::string& path) {
+    BetweenFiles::call();
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
     if (fs::is_directory(status)) return add_folder(path);
@@ -188,6 +190,7 @@ class Finder {
     std::map<fs::path, const FileCandidate*> whole;
     std::set<const FileCandidate*> dropped;
     for (const FileCandidate& each : candidates_) {
+      BetweenFiles::call();
       const auto [first, fresh] =
           whole.try_emplace(fs::absolute(each.path, failure).lexically_normal(), &each);
       if (fresh) continue;
@@ -203,6 +206,7 @@ class Finder {
     pictures.reserve(candidates_.size());
     std::size_t missing_reported = 0, missing_more = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      BetweenFiles::call();
       const FileCandidate& candidate = candidates_[i];
       const auto& [kind, missing, failure] = kinds[i];
       std::error_code ignored;

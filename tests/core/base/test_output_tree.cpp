@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <functional>
 
 #include "core/base/error.h"
 #include "core/base/files/read_places.h"
@@ -12,6 +13,23 @@ using namespace etak;
 using namespace etak::test;
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// What a commit of a tree says where something happens between its looks and its renames.
+std::string error_when(const std::function<void()>& act, OutputTree& tree) {
+  struct Late : Output {
+    explicit Late(const std::function<void()>& happens) : act(happens) {}
+    void prepare() override {}
+    void place() override { act(); }
+    const std::function<void()>& act;
+  };
+  Late late(act);
+  Output* const both[] = {&tree, &late};
+  return error_of([&] { put_in_place(both); });
+}
+
+}  // namespace
 
 TEST_CASE("files below a folder appear together, and nothing is left of a run that ends before") {
   const TempFolder folder;
@@ -88,13 +106,6 @@ TEST_CASE("a tree takes no name that leads out of it, and no name twice") {
 }
 
 TEST_CASE("a tree does not replace what has appeared since it looked, and undoes what it had placed") {
-  // Looks before it, and puts itself in place before the tree.
-  struct Late : Output {
-    explicit Late(std::string file) : path(std::move(file)) {}
-    void prepare() override {}
-    void place() override { spit(path, "appeared"); }
-    std::string path;
-  };
   const TempFolder folder;
   const std::string target = folder.file("out");
   fs::create_directories(target);
@@ -103,12 +114,24 @@ TEST_CASE("a tree does not replace what has appeared since it looked, and undoes
   tree.write("a", "new");
   tree.write("b", "new");
   tree.write("new/c", "new");
-  Late late(target + "/new/c");
-  Output* const both[] = {&tree, &late};
-  CHECK(contains(error_of([&] { put_in_place(both); }), "out/new/c: exists already"));
+  CHECK(
+      contains(error_when([&] { spit(target + "/new/c", "appeared"); }, tree), "out/new/c: exists already"));
   CHECK(slurp(target + "/a") == "old");
   CHECK_FALSE(fs::exists(target + "/b"));
   CHECK(slurp(target + "/new/c") == "appeared");
+}
+
+TEST_CASE("a tree undoes what it had placed where one of its folders has gone") {
+  const TempFolder folder;
+  const std::string target = folder.file("out");
+  fs::create_directories(target);
+  spit(target + "/a", "old");
+  OutputTree tree(target, true);
+  for (const char* name : {"a", "b", "first/c", "then/d"}) tree.write(name, "new");
+  CHECK(contains(error_when([&] { fs::remove(target + "/then"); }, tree), "out/then: cannot be opened"));
+  CHECK(slurp(target + "/a") == "old");
+  CHECK(std::distance(fs::directory_iterator(target), fs::directory_iterator()) ==
+        1 + 2);  // a, first, temporary
 }
 
 TEST_CASE("a tree keeps off the files and folders that the run reads, whatever leads to them") {

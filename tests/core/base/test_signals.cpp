@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <filesystem>
@@ -24,9 +25,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // Runs `act` in a process of its own, which handles signals; its status as waitpid() gives it.
-int status_of_child(const std::function<void()>& act) {
+//   at_first   what signals do before: nohup and a script's "&" would let the process ignore some
+int status_of_child(const std::function<void()>& act, void (*at_first)(int) = SIG_DFL) {
   const pid_t child = ::fork();
   if (child == 0) {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, at_first);
     end_by_signals();
     try {
       act();
@@ -93,6 +96,29 @@ TEST_CASE("a signal waits for what holds it, in any thread, and nothing new begi
   CHECK(!fs::exists(folder.file("too late")));
 }
 
+TEST_CASE(
+    "a thread that lets a signal go while another holds it does not end the program as if all was well") {
+  const test::TempFolder folder;
+  const int status = status_of_child([&] {
+    std::atomic<bool> holds{false}, raised{false};
+    std::thread other([&] {
+      const SignalsHeld held;
+      for (holds = true; !raised;) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      test::spit(folder.file("in time"), "x");
+    });
+    while (!holds) std::this_thread::yield();
+    {
+      const SignalsHeld held;
+      ::raise(SIGTERM);
+      raised = true;
+    }
+    ::_exit(5);
+  });
+  CHECK(died_of(status, SIGTERM));
+  CHECK(fs::exists(folder.file("in time")));
+}
+
 TEST_CASE("threads that go on writing into a folder do not keep a signal from removing it") {
   const test::TempFolder folder;
   const int status = status_of_child([&] {
@@ -111,9 +137,7 @@ TEST_CASE("threads that go on writing into a folder do not keep a signal from re
 }
 
 TEST_CASE("a signal that was ignored from the start stays so") {
-  const auto before = std::signal(SIGHUP, SIG_IGN);
-  const int status = status_of_child([] { ::raise(SIGHUP); });
-  std::signal(SIGHUP, before);
+  const int status = status_of_child([] { ::raise(SIGHUP); }, SIG_IGN);
   CHECK(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 0);
 }

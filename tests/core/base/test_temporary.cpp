@@ -98,8 +98,16 @@ TEST_CASE("a lock is a file of one's own, which goes with it, and nobody waits w
   CHECK(FolderLock(open.get(), std::chrono::milliseconds(30), "b").held());
   lock.reset();
   CHECK(names_in(open.get()).empty());
-  // What a kill left is taken over.
+  // What a kill left is taken over; what another user has made and holds is not waited for.
   test::spit(folder.file(".a.etak-lock"), "");
+  if (::chown(folder.file(".a.etak-lock").c_str(), 65534, 65534) == 0) {
+    const Descriptor held(::open(folder.file(".a.etak-lock").c_str(), O_RDONLY | O_CLOEXEC));
+    REQUIRE(::flock(held.get(), LOCK_EX) == 0);
+    const FolderLock passed(open.get(), std::chrono::hours(1), "a", open.get());
+    CHECK(!passed.held());
+    CHECK(!passed.is_taken());
+    CHECK(fs::exists(folder.file(".a.etak-lock")));
+  }
   lock.emplace(open.get(), std::chrono::milliseconds(30), "a");
   CHECK(lock->held());
   CHECK(!lock->is_taken());
