@@ -29,16 +29,10 @@ std::variant<LinearRgb, Srgb8> color_of(const py::object& value, bool linear) {
   if (given.ndim() != 1 || given.size() != 3)
     throw Error::at("color", "shape " + shape_text(given), "three numbers, or a hex text");
   const Vec3 rgb{given.data()[0], given.data()[1], given.data()[2]};
-  std::array<std::uint8_t, 3> codes{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (!std::isfinite(rgb[c])) throw Error::at("color", number(rgb[c], 6), "finite numbers");
-    codes[c] = static_cast<std::uint8_t>(std::clamp(rgb[c], 0.0, 255.0));
-    if (!linear && codes[c] != rgb[c])
-      throw Error::at("color", number(rgb[c], 6) + " is no 8-bit code",
-                      "whole numbers 0 to 255, or linear=True");
-  }
+  for (const double each : rgb)
+    if (!std::isfinite(each)) throw Error::at("color", number(each, 6), "finite numbers");
   if (linear) return to_rgb(rgb);
-  return Srgb8{codes[0], codes[1], codes[2]};
+  return codes_of(rgb, "color");
 }
 
 std::vector<std::tuple<std::shared_ptr<Material>, std::string, double>> nearest(
