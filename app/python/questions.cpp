@@ -8,6 +8,7 @@
 #include "core/base/setting.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/exchange/export_input.h"
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
@@ -28,16 +29,10 @@ std::variant<LinearRgb, Srgb8> color_of(const py::object& value, bool linear) {
   if (given.ndim() != 1 || given.size() != 3)
     throw Error::at("color", "shape " + shape_text(given), "three numbers, or a hex text");
   const Vec3 rgb{given.data()[0], given.data()[1], given.data()[2]};
-  std::array<std::uint8_t, 3> codes{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (!std::isfinite(rgb[c])) throw Error::at("color", number(rgb[c], 6), "finite numbers");
-    codes[c] = static_cast<std::uint8_t>(std::clamp(rgb[c], 0.0, 255.0));
-    if (!linear && codes[c] != rgb[c])
-      throw Error::at("color", number(rgb[c], 6) + " is no 8-bit code",
-                      "whole numbers 0 to 255, or linear=True");
-  }
+  for (const double each : rgb)
+    if (!std::isfinite(each)) throw Error::at("color", number(each, 6), "finite numbers");
   if (linear) return to_rgb(rgb);
-  return Srgb8{codes[0], codes[1], codes[2]};
+  return codes_of(rgb, "color");
 }
 
 std::vector<std::tuple<std::shared_ptr<Material>, std::string, double>> nearest(
@@ -117,9 +112,7 @@ struct ExportCall {
   std::vector<AskedMaterial> asked;
   std::string to;
   std::vector<std::string> targets;
-  std::optional<Gloss> gloss;
-  LinearRgb diffuse{0, 0, 0};
-  double opacity = 1;
+  ExportWishes wishes;
   Fit fit = Fit::clamp;
   GltfMaterialForm form = GltfMaterialForm::metal_rough;
 };
@@ -135,23 +128,22 @@ Exported exported(const ExportCall& call, const F0Options& options, const TableS
   const F0Solver solver(options);
   std::vector<ExportSurface> surfaces;
   std::vector<std::string> datasets;
+  Exported out;
   for (const AskedMaterial& each : call.asked) {
     work.go_on();
-    const DatasetOf found = read_one(each, library, tables);
-    const F0Result result = solve(solver, *found.material, found.dataset());
-    if (result.refused()) throw Error::at(found.label(), "refused: " + result.refusal);
-    surfaces.push_back(
-        export_surface(*found.material, found.dataset(), options, result, call.diffuse, call.gloss));
-    surfaces.back().opacity = call.opacity;
-    validate(surfaces.back());
-    datasets.push_back(found.dataset().id);
+    ExportAnswer answer = export_answer(find_one(each, library), table_options(tables), solver, call.wishes);
+    if (!answer.surface) throw Error(answer.refusal);
+    if (!answer.remark.empty()) out.remarks.push_back(answer.remark);
+    surfaces.push_back(std::move(*answer.surface));
+    datasets.push_back(std::move(answer.dataset));
   }
-  if (call.to == "values")
-    return {export_json(exported_values(std::move(surfaces), datasets, engine_targets_named(call.targets),
-                                        call.fit, threads_of(threads)),
-                        call.fit, policy(options)),
-            {}};
-  Exported out;
+  if (call.to == "values") {
+    out.document =
+        export_json(exported_values(std::move(surfaces), datasets, engine_targets_named(call.targets),
+                                    call.fit, threads_of(threads)),
+                    call.fit, policy(options));
+    return out;
+  }
   std::vector<Changes> changes;
   out.document =
       call.to == "mtlx"
@@ -165,12 +157,6 @@ Exported exported(const ExportCall& call, const F0Options& options, const TableS
   return out;
 }
 
-std::optional<GltfMaterialForm> gltf_form_named(const std::string& text) {
-  if (text == "metal-rough") return GltfMaterialForm::metal_rough;
-  if (text == "specular-glossiness") return GltfMaterialForm::specular_glossiness;
-  return std::nullopt;
-}
-
 py::tuple export_call(const std::vector<py::object>& materials, const std::string& to, const py::dict& given,
                       const Library& library, int threads) {
   const Keywords how{given};
@@ -181,20 +167,26 @@ py::tuple export_call(const std::vector<py::object>& materials, const std::strin
   call.to = to == "mtlx" || to == "gltf" || to == "glb" ? to : "values";
   call.targets = to == call.to ? how.texts("target") : std::vector{to};
   const auto share = [&](const char* name) { return how.at(name).cast<std::optional<double>>(); };
-  call.gloss = given_gloss(share("gloss"), share("roughness"));
-  call.opacity = how.at("opacity").cast<double>();
-  if (!how.at("diffuse").is_none()) call.diffuse = std::get<LinearRgb>(color_of(how.at("diffuse"), true));
+  call.wishes = {std::nullopt, given_gloss(share("gloss"), share("roughness")),
+                 how.at("opacity").cast<double>(), how.yes("axis_average")};
+  if (const py::object given_diffuse = how.at("diffuse"); !given_diffuse.is_none()) {
+    const auto color = color_of(given_diffuse, true);
+    const Srgb8* const codes = std::get_if<Srgb8>(&color);
+    call.wishes.diffuse = codes != nullptr ? srgb_decode(*codes) : std::get<LinearRgb>(color);
+  }
   call.fit = setting_value("fit", how.text("fit"), call.fit, fit_named, "clamp or preserve-hue");
-  call.form = setting_value("gltf-form", how.text("gltf_form"), call.form, gltf_form_named,
-                            "metal-rough or specular-glossiness");
+  call.form = setting_value("gltf-form", how.text("gltf_form"), call.form, gltf_material_form_named,
+                            "specular-ior or specular-glossiness");
   const GivenF0Settings settings = f0_settings(how);
   const TableSettings tables = table_settings(how);
   LongWork work;
-  const Exported out = work.unlocked([&] {
+  Exported out = work.unlocked([&] {
     const F0Options options = options_of(settings, library);
     require_export_space(call.to, options);
     return exported(call, options, tables, library, threads, work);
   });
+  if (how.text("gltf_form") == "metal-rough")
+    out.remarks.push_back(setting("gltf-form") + " " + std::string(gltf_form_renamed));
   const py::object document = call.to == "values" ? py::module_::import("json").attr("loads")(out.document)
                               : call.to == "glb"  ? py::object(py::bytes(out.document))
                                                   : py::cast(out.document);

@@ -11,7 +11,8 @@ SettingStyle setting_style = SettingStyle::words;
 }  // namespace
 
 std::string setting(std::string_view name) {
-  if (setting_style == SettingStyle::options) return "--" + std::string(name);
+  if (setting_style == SettingStyle::options)
+    return "--" + std::string(name == "material-class" ? "class" : name);  // class is a word of Python
   std::string out(name);
   std::replace(out.begin(), out.end(), '-', setting_style == SettingStyle::keywords ? '_' : ' ');
   return out;

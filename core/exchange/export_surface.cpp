@@ -119,7 +119,7 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
                     "F0 " + number(result.luminance, 3) +
                         " is too bright for a dielectric, no class is stated, and n and k at 550 nm do not "
                         "tell it",
-                    setting("class") + " metal, semiconductor, surface, ...");
+                    setting("material-class") + " metal, semiconductor, surface, ...");
   if (kind == "surface") {
     take_total(result.linear, out);
   } else {

@@ -285,6 +285,12 @@ std::string glb(std::string json_chunk, std::string_view binary) {
 
 }  // namespace
 
+std::optional<GltfMaterialForm> gltf_material_form_named(std::string_view text) {
+  if (text == "specular-ior" || text == "metal-rough") return GltfMaterialForm::metal_rough;
+  if (text == "specular-glossiness") return GltfMaterialForm::specular_glossiness;
+  return std::nullopt;
+}
+
 std::string gltf_document(std::span<const ExportSurface> surfaces, GltfMaterialForm form,
                           GltfContainer container, Fit fit, std::vector<Changes>& changes,
                           std::span<const GltfPictures> pictures) {

@@ -15,6 +15,11 @@ enum class GltfMaterialForm {
                 // clear bodies with _transmission and _volume
   specular_glossiness  // KHR_materials_pbrSpecularGlossiness (archived) alone
 };
+/// "specular-ior", which was "metal-rough" until it got the name that packing has for it, or "specular-glossiness".
+std::optional<GltfMaterialForm> gltf_material_form_named(std::string_view text);
+inline constexpr std::string_view gltf_form_renamed =
+    "metal-rough: is now called specular-ior, as in etak pack";
+
 enum class GltfContainer {
   gltf,  // JSON with the buffer inside, as a data URI
   glb    // binary

@@ -418,7 +418,7 @@ TableOptions table_options(const TableSettings& settings) {
       setting_value("duplicates", settings.duplicates, out.duplicates, duplicates, "refuse, first or mean");
   if (!settings.material_class.empty() && !is_class(settings.material_class))
     throw Error::at(
-        setting("class"), printable(settings.material_class),
+        setting("material-class"), printable(settings.material_class),
         joined(material_classes) +
             did_you_mean(settings.material_class, {material_classes.begin(), material_classes.end()}));
   out.material_class = settings.material_class;

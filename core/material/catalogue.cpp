@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/base/setting.h"
 #include "core/base/text/ascii.h"
@@ -57,6 +58,17 @@ bool fits(const CatalogueEntry& entry, const CatalogueFilter& filter) {
   };
   return holds(material.id) || holds(material.name) || holds(material.group) ||
          std::any_of(material.aliases.begin(), material.aliases.end(), holds);
+}
+
+Srgb8 codes_of(const std::array<double, 3>& values, std::string_view place) {
+  std::array<std::uint8_t, 3> codes{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    codes[i] = static_cast<std::uint8_t>(values[i] >= 0 && values[i] <= 255 ? values[i] : 0);
+    if (codes[i] != values[i])
+      throw Error::at(place, number(values[i], 6) + " is no 8-bit code",
+                      "whole numbers 0 to 255, or " + setting("linear"));
+  }
+  return {codes[0], codes[1], codes[2]};
 }
 
 std::vector<NearMaterial> nearest_materials(std::span<const CatalogueEntry> entries,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,6 +51,9 @@ struct NearMaterial {
   const CatalogueEntry* entry = nullptr;
   double delta_e = 0;
 };
+
+/// The 8-bit colour that three numbers are. Throws Error (with `place`) where one is no whole number from 0 to 255.
+Srgb8 codes_of(const std::array<double, 3>& values, std::string_view place);
 
 /// The entries whose F0 is nearest to `color`, nearest first, at most `count`. An 8-bit colour is compared
 /// with the 8-bit colours of the library, so that a texture's own rounding and clipping cost nothing; a

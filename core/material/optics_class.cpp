@@ -75,7 +75,7 @@ std::string class_remark(const Material& material) {
   if (material.class_by == ClassBy::stated) return {};
   const std::string who = "no class is stated, and n and k at 550 nm ";
   if (material.class_by == ClassBy::nobody)
-    return who + "do not tell it: taken as a dielectric; " + setting("class") + " states another";
+    return who + "do not tell it: taken as a dielectric; " + setting("material-class") + " states another";
   const std::string_view kind = optical_kind(material.material_class);
   return who + "tell a " + std::string(kind) +
          (kind == material.material_class || kind == "dielectric" ? ""

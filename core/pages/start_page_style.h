@@ -40,7 +40,7 @@ section > p { max-width: 80ch; }
 .beside { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 460px), 1fr)); gap: 1.25rem; align-items: start; }
 .panel h3 { margin-top: 0; }
 .textures { --texel: 0.26px; display: flex; flex-wrap: wrap; gap: 0.6rem; align-items: flex-end; }
-.textures img { display: block; height: auto; width: calc(var(--wide) * var(--texel)); max-width: 100%; }
+.textures img { display: block; height: auto; width: calc(var(--wide) * var(--texel)); max-width: 100%; outline: 1px solid var(--line); }
 .textures figcaption { max-width: calc(var(--wide) * var(--texel)); overflow-wrap: anywhere; min-width: 4rem; }
 .severity { display: inline-block; min-width: 4.6rem; text-align: center; padding: 0 0.45rem; border-radius: 4px;
   font-size: 0.8rem; font-weight: 700; }
@@ -49,7 +49,7 @@ section > p { max-width: 80ch; }
 .severity.info { background: #cfe0f5; color: #12314f; }
 .found { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 380px), 1fr)); gap: 0.9rem; margin: 0.8rem 0; }
 .found article { margin: 0; display: flex; gap: 0.9rem; align-items: flex-start; overflow-wrap: anywhere; }
-.found img { flex: none; width: 96px; height: 96px; object-fit: contain; background: var(--page); image-rendering: auto; }
+.found img { flex: none; width: 96px; height: 96px; object-fit: contain; background: var(--page); image-rendering: auto; outline: 1px solid var(--line); }
 .found .place { color: var(--ink-soft); font-size: 0.87rem; }
 .cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 280px), 1fr)); gap: 0.9rem; margin: 1rem 0 3rem; }
 .cards a { display: block; background: var(--card); border-radius: 8px; padding: 1rem 1.1rem; color: inherit; border: 1px solid transparent; }

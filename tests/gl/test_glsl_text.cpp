@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <regex>
 #include <set>
 
 #include "core/render/glsl/glsl_source.h"
@@ -126,4 +127,23 @@ TEST_CASE("300 es: version first, then precision") {
 
 TEST_CASE("a scene without any model is refused") {
   CHECK(contains(error_of([] { (void)glsl_text(Scene{}); }), "no model"));
+}
+
+TEST_CASE("every variable of a shader is read, and only lobes that know a tangent build one") {
+  const std::regex comment("//[^\n]*"), declared(R"((?:real|float|vec[234]|[A-Z]\w+) (\w+) = )"),
+      word(R"([A-Za-z_]\w*)");
+  std::set<std::string> framed;
+  for (const Model& model : models())
+    for (const Variant& variant : variants(model)) {
+      const std::string text = std::regex_replace(glsl_text(variant.scene).fragment, comment, std::string());
+      std::multiset<std::string> words;
+      for (std::sregex_iterator each(text.begin(), text.end(), word), end; each != end; ++each)
+        words.insert(each->str());
+      for (std::sregex_iterator each(text.begin(), text.end(), declared), end; each != end; ++each) {
+        INFO(model.id << ", " << variant.name << ": " << each->str());
+        CHECK(words.count((*each)[1].str()) > 1);
+      }
+      if (contains(text, "tangent_of(")) framed.insert(std::string(model.id));
+    }
+  CHECK(framed == std::set<std::string>{"ashikhmin-shirley", "ashikhmin-shirley-specular"});
 }

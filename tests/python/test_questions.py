@@ -3,9 +3,11 @@
 import importlib.util
 import json
 import subprocess
+import tempfile
 import unittest
 import unittest.mock
 import warnings
+from pathlib import Path
 
 import numpy as np
 
@@ -26,6 +28,10 @@ class Questions(unittest.TestCase):
             mine = etak.nearest(color, count=4, **more)
             self.assertEqual([each.material.id for each in mine], [each["id"] for each in theirs])
             self.assertEqual([each.hex for each in mine], [each["hex"] for each in theirs])
+        theirs = json.loads(said("nearest", "gold/johnson-1972", "-n", "4", "--format", "json"))["nearest"]
+        for asked in ("gold/johnson-1972", etak.read("gold/johnson-1972"), etak.f0("gold/johnson-1972")):
+            mine = etak.nearest(asked, count=4)
+            self.assertEqual([(each.material.id, each.hex) for each in mine], [(each["id"], each["hex"]) for each in theirs])
         for bad, text in (("blue", "blue"), ((1, 2), "shape"), ((1.5, 0, 0), "1.5 is no 8-bit code"), ((300, 0, 0), "300")):
             with self.subTest(bad), self.assertRaisesRegex(etak.Error, text):
                 etak.nearest(bad)
@@ -77,6 +83,20 @@ class Questions(unittest.TestCase):
                          json.loads(said("export", "gold", "--to", "values", "--target", "unreal,filament", "--gloss", "0.7",
                                          "--fit", "preserve-hue", "--format", "json")))
         self.assertEqual(etak.export("water", "unreal"), json.loads(said("export", "water", "--to", "unreal", "--format", "json")))
+        self.assertEqual(etak.export("marble", "blender", diffuse="#ff8040"), json.loads(
+            said("export", "marble", "--to", "blender", "--diffuse", "#ff8040", "--format", "json")))
+        self.assertEqual(etak.export("sapphire", "hex", axis_average=True), json.loads(
+            said("export", "sapphire", "--to", "hex", "--axis-average", "--format", "json")))
+        with tempfile.TemporaryDirectory() as folder:
+            table = Path(folder) / "bright.csv"
+            table.write_text("nm R\n360 0.8\n830 0.9\n")
+            with self.assertRaisesRegex(etak.Error, "material_class"):
+                etak.export(table, "unreal")
+            self.assertEqual(etak.export(table, "unreal", material_class="metal"), json.loads(
+                said("export", str(table), "--to", "unreal", "--class", "metal", "--format", "json")))
+        with self.assertWarnsRegex(UserWarning, "gltf_form metal-rough: is now called specular-ior"):
+            self.assertEqual(etak.export("gold", "gltf", gltf_form="metal-rough"),
+                             said("export", "gold", "--to", "gltf", "--gltf-form", "specular-ior"))
         for words, call in {("gold", "--to", "values", "--target", "unrea"): lambda: etak.export("gold", target="unrea"),
                             ("gold", "--to", "mtlx", "--gloss", "2"): lambda: etak.export("gold", "mtlx", gloss=2),
                             ("gold", "--to", "mtlx", "--space", "rec2020"):

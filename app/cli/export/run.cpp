@@ -13,11 +13,10 @@
 #include "core/base/system.h"
 #include "core/base/text/ascii.h"
 #include "core/base/text/edit_distance.h"
+#include "core/exchange/export_input.h"
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
-#include "core/material/names.h"
-#include "core/material/quality.h"
 
 namespace etak::cli {
 namespace {
@@ -30,43 +29,17 @@ struct Found {
 };
 
 // The result for one input: a surface, or the reason why there is none.
-struct Answer {
-  std::optional<ExportSurface> surface;
-  std::string dataset, remark, complaint;
-  bool refused = false, failed = false;
+struct Answer : ExportAnswer {
+  std::string failure;
 };
 
-Answer answer(const MaterialInput& input, const ExportArguments& arguments, const TableOptions& tables,
+Answer answer(const MaterialInput& input, const ExportWishes& wishes, const TableOptions& tables,
               const F0Solver& solver) {
-  LinearRgb diffuse{0, 0, 0};
-  if (!arguments.diffuse.empty()) diffuse = typed_share("--diffuse", arguments.diffuse);
   Answer out;
   try {
-    const Material material = read_material(input, tables);
-    const Dataset& dataset = dataset_named(material, input.dataset, input.label());
-    const F0Result result = solve_averaged(arguments.compute.axis_average, solver, material, dataset);
-    if (result.refused()) {
-      out.complaint = material.id + "/" + dataset.id + ": refused: " + result.refusal;
-      // In a folder or the whole library, a refused material does not change the exit status, because nobody
-      // asked for it by name.
-      out.refused = !input.from_folder;
-      return out;
-    }
-    ExportSurface surface =
-        export_surface(material, dataset, solver.options(), result, diffuse, given_gloss(arguments.rough));
-    surface.opacity = arguments.opacity;
-    if (arguments.compute.axis_average && !dataset.axis.empty())
-      surface.notes.push_back("F0 is the average over the axes of the crystal, " + dataset.id +
-                              " and its others");
-    validate(surface);
-    if (!input.alias_note.empty()) surface.notes.push_back(input.alias_note);
-    if (!arguments.diffuse.empty() && surface.diffuse != diffuse)
-      out.remark = material.id + " is no dielectric: --diffuse is not used";
-    out.dataset = dataset.id;
-    out.surface = std::move(surface);
+    static_cast<ExportAnswer&>(out) = export_answer(input, tables, solver, wishes);
   } catch (const Error& error) {
-    out.complaint = error.what();
-    out.failed = true;
+    out.failure = error.what();
   }
   return out;
 }
@@ -82,20 +55,27 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
     remark(arguments.output, each);
     out.told.insert(each);
   }
+  ExportWishes wishes{std::nullopt, given_gloss(arguments.rough), arguments.opacity,
+                      arguments.compute.axis_average};
+  if (!arguments.diffuse.empty()) wishes.diffuse = typed_share("--diffuse", arguments.diffuse);
   std::vector<Answer> answers(inputs.size());
   parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t i = begin; i < end; ++i) answers[i] = answer(inputs[i], arguments, tables, solver);
+    for (std::size_t i = begin; i < end; ++i) answers[i] = answer(inputs[i], wishes, tables, solver);
   });
   std::vector<std::string> left_out;  // of the whole library: nobody asked for them by name
-  for (Answer& each : answers) {
-    const bool counted = arguments.inputs.all && !each.surface && !each.failed;
-    if (counted)
-      left_out.push_back(each.complaint);
-    else if (!each.complaint.empty())
-      complain(each.complaint);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    Answer& each = answers[i];
+    if (!each.failure.empty())
+      complain(each.failure);
+    else if (arguments.inputs.all && !each.surface)
+      left_out.push_back(each.refusal);
+    else if (!each.refusal.empty())
+      complain(each.refusal);
     if (!each.remark.empty()) remark(arguments.output, each.remark);
-    out.refused |= each.refused;
-    out.failed |= each.failed;
+    // In a folder or the whole library, a refused material does not change the exit status, because nobody asked for
+    // it by name.
+    out.refused |= !each.refusal.empty() && !inputs[i].from_folder;
+    out.failed |= !each.failure.empty();
     if (!each.surface) continue;
     out.surfaces.push_back(std::move(*each.surface));
     out.datasets.push_back(std::move(each.dataset));
@@ -218,10 +198,9 @@ int export_materials(ExportArguments& arguments) {
     if (arguments.to == "values") {
       write_output(arguments.output, values(arguments, found, fit, policy(options)));
     } else {
-      const auto form = arguments.gltf_form == "specular-glossiness" ? GltfMaterialForm::specular_glossiness
-                                                                     : GltfMaterialForm::metal_rough;
+      const GltfMaterialForm form = *gltf_material_form_named(arguments.gltf_form);
       if (arguments.gltf_form == "metal-rough")
-        remark(arguments.output, "--gltf-form metal-rough: is now called specular-ior, as in etak pack");
+        remark(arguments.output, "--gltf-form " + std::string(gltf_form_renamed));
       const auto container = arguments.output.format == "glb" ? GltfContainer::glb : GltfContainer::gltf;
       write_output(arguments.output, arguments.to == "mtlx"
                                          ? material_x(found.surfaces, fit, changes)

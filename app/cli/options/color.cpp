@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/options/color.h"
 
-#include <vector>
-
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text/ascii.h"
 #include "core/color/srgb.h"
 
 namespace etak::cli {
 
+std::vector<double> typed_numbers(std::string_view text) {
+  std::vector<double> out;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    if (double value = 0; parse_number(trimmed(text.substr(0, comma), " "), value))
+      out.push_back(value);
+    else
+      return {};
+    if (comma == text.npos) return out;
+    text.remove_prefix(comma + 1);
+  }
+}
+
 LinearRgb typed_color(const std::string& place, std::string_view text) {
   if (text.starts_with('#')) return srgb_decode(parse_hex(text));
-  std::vector<double> out;
-  for (std::string_view rest = text;;) {
-    const std::size_t comma = rest.find(',');
-    double value = 0;
-    if (!parse_number(rest.substr(0, comma), value))
-      throw Error::at(place, printable(text), "one number, three with ',' between, or #rrggbb");
-    out.push_back(value);
-    if (comma == rest.npos) break;
-    rest.remove_prefix(comma + 1);
-  }
+  const std::vector<double> out = typed_numbers(text);
+  if (out.empty()) throw Error::at(place, printable(text), "one number, three with ',' between, or #rrggbb");
   if (out.size() == 1) return {out[0], out[0], out[0]};
   if (out.size() != 3)
     throw Error::at(place, std::to_string(out.size()) + " numbers", "one or three, or #rrggbb");

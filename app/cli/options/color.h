@@ -3,11 +3,15 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/cli/arguments.h"
 #include "core/color/rgb.h"
 
 namespace etak::cli {
+
+/// The numbers of "0.9,0.5,0.1"; none where one of them is no number.
+std::vector<double> typed_numbers(std::string_view text);
 
 /// A linear colour as typed: "0.9" (grey), "0.9,0.5,0.1", or "#e5b45f", whose codes are sRGB. Throws Error.
 ///   place   the option, for messages

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/inputs/inputs.h"
+#include "app/cli/options/color.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
@@ -39,30 +40,9 @@ constexpr const char* color_forms =
 
 // The three numbers of "r,g,b". Throws Error where there are more or fewer.
 std::array<double, 3> three_numbers(const std::string& text) {
-  std::array<double, 3> out{};
-  std::string_view rest = text;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t comma = rest.find(',');
-    if ((comma == std::string_view::npos) != (i == 2))
-      throw Error::at(printable(text), "is no colour", color_forms);
-    if (!parse_number(trimmed(rest.substr(0, comma), " "), out[i]))
-      throw Error::at(printable(text), "is no colour", color_forms);
-    rest.remove_prefix(i == 2 ? rest.size() : comma + 1);
-  }
-  return out;
-}
-
-Srgb8 eight_bit(const std::string& text) {
-  if (text.find(',') == std::string::npos) return parse_hex(text);
-  std::array<std::uint8_t, 3> codes{};
-  const std::array<double, 3> values = three_numbers(text);
-  for (std::size_t i = 0; i < 3; ++i) {
-    codes[i] = static_cast<std::uint8_t>(std::clamp(values[i], 0.0, 255.0));
-    if (codes[i] != values[i])
-      throw Error::at(printable(text), number(values[i], 6) + " is no 8-bit code",
-                      "whole numbers 0 to 255, or --linear");
-  }
-  return {codes[0], codes[1], codes[2]};
+  const std::vector<double> out = typed_numbers(text);
+  if (out.size() != 3) throw Error::at(printable(text), "is no colour", color_forms);
+  return {out[0], out[1], out[2]};
 }
 
 // Linear sRGB of three numbers in the space of the options.
@@ -120,7 +100,9 @@ int run(NearestArguments& arguments) {
   if (!named && !arguments.dataset.empty()) throw Error::at("--dataset", "beside a colour", "a material");
   const Color color = named              ? Color(color_of(typed, arguments, solver))
                       : arguments.linear ? Color(in_srgb(three_numbers(typed), solver.options()))
-                                         : Color(eight_bit(typed));
+                      : typed.find(',') == typed.npos
+                          ? Color(parse_hex(typed))
+                          : Color(codes_of(three_numbers(typed), printable(typed)));
   const std::vector<CatalogueEntry> all = catalogue(
       arguments.library.get(), solver, thread_count(arguments.threads), arguments.compute.axis_average);
   const std::vector<NearMaterial> found = nearest_materials(all, color, arguments.classes, arguments.count);

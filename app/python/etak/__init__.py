@@ -328,12 +328,17 @@ def nearest(
 ) -> "list[Near]":
     """The materials whose F0 is nearest to a colour by CIEDE2000, nearest first.
 
-      color     a hex text, three 8-bit codes, or with linear=True three linear values
+      color     "#rrggbb", three 8-bit codes, with linear=True three linear values, an answer of f0(), or what f0() takes
       classes   only of these classes; without it of all but surface, whose diffuse colours are no F0
 
     >>> [(each.material.id, round(each.delta_e, 1)) for each in etak.nearest("#ffe49c", count=1)]
     [('gold', 0.0)]
     """
+    if isinstance(color, (Material, Dataset)) or hasattr(color, "__fspath__") or (
+            isinstance(color, str) and not color.startswith("#")):
+        color = f0(color, library=library)
+    if isinstance(color, F0):
+        color, linear = color.srgb, True
     return [Near(*each) for each in _core.nearest(color, linear, count, classes, library, threads)]
 
 
@@ -353,11 +358,12 @@ def delta_e(a: Any, b: Any) -> Any:
 def export(
     materials: Any, to: str = "values", *, target: Any = None, gloss: Optional[float] = None,
     roughness: Optional[float] = None, diffuse: Any = None, opacity: float = 1, fit: Optional[str] = None,
-    gltf_form: Optional[str] = None, dataset: str = "", observer: Table = None, illuminant: Table = None,
-    interpolation: Optional[str] = None, method: Optional[str] = None, integration_bound: Optional[Number] = None,
-    space: Optional[str] = None, ocio: Optional[Path] = None, outside: Optional[Number] = None,
-    allow_extrapolation: bool = False, unit: Optional[str] = None, columns: Optional[str] = None,
-    duplicates: Optional[str] = None, library: Library = library, threads: int = 0,
+    gltf_form: Optional[str] = None, dataset: str = "", axis_average: bool = False, observer: Table = None,
+    illuminant: Table = None, interpolation: Optional[str] = None, method: Optional[str] = None,
+    integration_bound: Optional[Number] = None, space: Optional[str] = None, ocio: Optional[Path] = None,
+    outside: Optional[Number] = None, allow_extrapolation: bool = False, unit: Optional[str] = None,
+    columns: Optional[str] = None, duplicates: Optional[str] = None, material_class: Optional[str] = None,
+    origin: Optional[str] = None, library: Library = library, threads: int = 0,
 ) -> Any:
     """Materials as MaterialX, glTF or the values of engines.
 
@@ -365,7 +371,8 @@ def export(
       to          "mtlx" or "gltf": a text; "glb": bytes; "values", or the id of one target: what `etak export --to
                   values --format json` writes, as a dictionary
       target      of "values": only these
-      gloss, roughness, diffuse, opacity, fit, gltf_form   as options of `etak export`
+      gloss, roughness, diffuse, opacity, fit, gltf_form   as options of `etak export`; a colour may be a hex text
+      axis_average, material_class, origin                 as of f0()
 
     What was assumed and changed is in the dictionary; of texts and bytes it is a warning each.
 

@@ -28,11 +28,13 @@ TEST_CASE("a message names a setting as the users of the program write it") {
   {
     const Style options(SettingStyle::options);
     CHECK(setting("allow-extrapolation") == "--allow-extrapolation");
+    CHECK(setting("material-class") == "--class");
   }
   {
     const Style keywords(SettingStyle::keywords);
     CHECK(setting("force") == "force");
     CHECK(setting("allow-extrapolation") == "allow_extrapolation");
+    CHECK(setting("material-class") == "material_class");
   }
 }
 
