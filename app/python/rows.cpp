@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/material/f0_steps.h"
 #include "core/material/limits.h"
+#include "core/spectrum/refinement.h"
 
 namespace etak::python {
 namespace {
@@ -123,7 +124,8 @@ class RowOptics {
 class RowSolver {
  public:
   RowSolver(const F0Options& options, const std::vector<double>& nm) : setup_(f0_setup(options)) {
-    if (setup_.needs_knots()) {
+    const bool may_be_spiky = options.method == Method::nm1 && finest_spacing_nm(nm) < 1 - 1e-9;
+    if (setup_.needs_knots() || may_be_spiky) {
       solver_.emplace(options);
       return;
     }
@@ -150,7 +152,7 @@ class RowSolver {
 
  private:
   F0Setup setup_;
-  std::optional<F0Solver> solver_;  // of the methods that ask each row for its knots
+  std::optional<F0Solver> solver_;  // where each row is asked for its knots
   std::string refusal_;
 };
 

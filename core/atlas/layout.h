@@ -15,7 +15,20 @@
 
 namespace etak {
 
+struct JsonNode;  // core/base/json/node_json.h
+
 // The table that is written beside the pages of an atlas (resources/schema/atlas-layout.schema.json).
+
+/// The parts of a texel of the pair that may lie at places of their own, as --goal one-page lays them.
+///   first, size   the channels of the part
+struct ChannelPart {
+  std::string_view name;
+  std::size_t first, size;
+};
+inline constexpr std::array<ChannelPart, 4> channel_parts{{{"diffuse", 0, 3},
+                                                           {"alpha", alpha_channel, 1},
+                                                           {"specular", specular_channel, 3},
+                                                           {"gloss", gloss_channel, 1}}};
 
 /// A region of a material. Materials that share texels have a row each.
 struct AtlasRect {
@@ -30,6 +43,13 @@ struct AtlasRect {
   double inset = 0;      // where there is no gutter: level-0 texels that UVs must stay inside the region
   bool repeats = false;  // the page holds this region alone, and its sampler wraps
   bool source_gutter = false;  // the gutter holds what the picture has there, not the region's edge again
+  // By ChannelPart: what the material reads here. The other parts lie in other regions of it.
+  std::array<bool, channel_parts.size()> holds{true, true, true, true};
+
+  bool holds_channel(std::size_t channel) const {
+    return holds[2 * (channel / 4) + (channel % 4 == 3 ? 1 : 0)];
+  }
+  bool holds_all() const { return holds == std::array{true, true, true, true}; }
   friend bool operator==(const AtlasRect&, const AtlasRect&) = default;
 };
 
@@ -74,6 +94,9 @@ struct AtlasLayout {
 inline constexpr const char* layout_file_name = "layout.json";
 
 std::string layout_json(const AtlasLayout& layout);
+
+/// A region of a layout that has so many pages. Throws Error with the JSON pointer.
+AtlasRect read_layout_rect(const JsonNode& node, std::size_t pages);
 
 /// Throws Error with the JSON pointer.
 AtlasLayout parse_layout(std::string_view text, std::string_view file);

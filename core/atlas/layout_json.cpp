@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/layout.h"
 
+#include <algorithm>
 #include <span>
 
 #include "core/base/files/output_folder.h"
@@ -12,6 +13,8 @@ namespace etak {
 namespace {
 
 constexpr const char* layout_schema = "etak-atlas-layout/1";
+// Of layouts in which a material's parts lie apart: a reader of version 1 would take the first region for all.
+constexpr const char* parts_schema = "etak-atlas-layout/2";
 constexpr int layout_depth = 8;
 constexpr const char *reduced = "reduced_when_shading", *as_it_is = "as_it_is";
 
@@ -50,6 +53,12 @@ std::string rect_json(const AtlasRect& r) {
   if (r.inset > 0) out += ", \"inset\": " + json(r.inset);
   if (r.repeats) out += ", \"repeats\": true";
   if (r.source_gutter) out += ", \"source_gutter\": true";
+  if (!r.holds_all()) {
+    std::vector<std::string> parts;
+    for (std::size_t p = 0; p < channel_parts.size(); ++p)
+      if (r.holds[p]) parts.emplace_back(channel_parts[p].name);
+    out += ", \"parts\": " + json_array_of(parts);
+  }
   return out + "}";
 }
 
@@ -111,33 +120,6 @@ AtlasPage read_page(const JsonNode& node) {
   return out;
 }
 
-AtlasRect read_rect(const JsonNode& node, std::size_t pages) {
-  node.expect_object();
-  AtlasRect out;
-  out.name = node.at("name").text();
-  out.page = node.at("page").integer(0, static_cast<int>(pages) - 1);
-  out.x = node.at("x").integer(0, max_image_side);
-  out.y = node.at("y").integer(0, max_image_side);
-  out.width = node.at("w").integer(1, max_image_side);
-  out.height = node.at("h").integer(1, max_image_side);
-  out.rotated = node.at("rotated").boolean();
-  out.crop = box_of(node.at("crop"));
-  const auto side = [](const JsonNode& each) { return each.integer(1, max_image_side); };
-  const auto source = node.at("source").each_of<2>(side, "[width, height]");
-  out.source_width = source[0];
-  out.source_height = source[1];
-  out.gutter = node.at("gutter").integer(0, max_image_side);
-  out.mips = node.at("mips").integer(1, 15);
-  if (node.has("island")) out.island = node.at("island").integer(0);
-  if (node.has("inset")) {
-    out.inset = node.at("inset").number();
-    if (out.inset < 0) node.at("inset").fail_type("a number of texels, 0 or above");
-  }
-  if (node.has("repeats")) out.repeats = node.at("repeats").boolean();
-  if (node.has("source_gutter")) out.source_gutter = node.at("source_gutter").boolean();
-  return out;
-}
-
 AtlasMaterialRow read_material_row(const JsonNode& node) {
   node.expect_object();
   AtlasMaterialRow out;
@@ -161,9 +143,45 @@ AtlasMaterialRow read_material_row(const JsonNode& node) {
 
 }  // namespace
 
+AtlasRect read_layout_rect(const JsonNode& node, std::size_t pages) {
+  node.expect_object();
+  AtlasRect out;
+  out.name = node.at("name").text();
+  out.page = node.at("page").integer(0, static_cast<int>(pages) - 1);
+  out.x = node.at("x").integer(0, max_image_side);
+  out.y = node.at("y").integer(0, max_image_side);
+  out.width = node.at("w").integer(1, max_image_side);
+  out.height = node.at("h").integer(1, max_image_side);
+  out.rotated = node.at("rotated").boolean();
+  out.crop = box_of(node.at("crop"));
+  const auto side = [](const JsonNode& each) { return each.integer(1, max_image_side); };
+  const auto source = node.at("source").each_of<2>(side, "[width, height]");
+  out.source_width = source[0];
+  out.source_height = source[1];
+  out.gutter = node.at("gutter").integer(0, max_image_side);
+  out.mips = node.at("mips").integer(1, 15);
+  if (node.has("island")) out.island = node.at("island").integer(0);
+  if (node.has("inset")) {
+    out.inset = node.at("inset").number();
+    if (out.inset < 0) node.at("inset").fail_type("a number of texels, 0 or above");
+  }
+  if (node.has("repeats")) out.repeats = node.at("repeats").boolean();
+  if (node.has("source_gutter")) out.source_gutter = node.at("source_gutter").boolean();
+  if (!node.has("parts")) return out;
+  out.holds.fill(false);
+  const std::vector<std::string> parts = node.at("parts").texts();
+  for (const std::string& part : parts) {
+    const auto found = std::ranges::find(channel_parts, part, &ChannelPart::name);
+    if (found == channel_parts.end()) node.at("parts").fail_type("diffuse, alpha, specular or gloss");
+    out.holds[static_cast<std::size_t>(found - channel_parts.begin())] = true;
+  }
+  return out;
+}
+
 std::string layout_json(const AtlasLayout& layout) {
   std::vector<JsonMember> members{
-      {"schema", json(layout_schema)},
+      {"schema",
+       json(std::ranges::all_of(layout.rects, &AtlasRect::holds_all) ? layout_schema : parts_schema)},
       {"settings_hash", json(layout.settings_hash)},
       {"content_hash", json(layout.content_hash)},
       {"gloss", json(name(layout.gloss))},
@@ -184,7 +202,8 @@ AtlasLayout parse_layout(std::string_view text, std::string_view file) {
   const JsonDocument document = parse_json_strictly(text, file, layout_depth, "an atlas layout");
   const JsonNode root{document, file, {}};
   root.expect_object();
-  if (root.text_or_empty("schema") != layout_schema)
+  if (const std::string schema = root.text_or_empty("schema");
+      schema != layout_schema && schema != parts_schema)
     root.fail("not an atlas layout", std::string("\"schema\": \"") + layout_schema + "\"");
   AtlasLayout out;
   out.gloss = root.at("gloss").word(gloss_form_named, "schueler, one_minus_roughness or roughness");
@@ -198,7 +217,8 @@ AtlasLayout parse_layout(std::string_view text, std::string_view file) {
   out.settings_hash = root.text_or_empty("settings_hash");
   out.content_hash = root.text_or_empty("content_hash");
   out.pages = root.at("pages").each(read_page);
-  out.rects = root.at("rects").each([&](const JsonNode& rect) { return read_rect(rect, out.pages.size()); });
+  out.rects =
+      root.at("rects").each([&](const JsonNode& rect) { return read_layout_rect(rect, out.pages.size()); });
   out.materials = root.at("materials").each(read_material_row);
   if (root.has("other_files")) out.other_files = root.at("other_files").each(read_file_name);
   if (root.has("sha256")) {

@@ -28,14 +28,18 @@ LayoutShader layout_shader(const AtlasLayout& layout, const AtlasMaterialRow& ro
   if (const auto code = row.constant[gloss_channel])
     out.gloss = std::clamp(converted_gloss(*code / 255.0, layout.gloss, GlossForm::schueler), 0.0, 1.0);
   if (const auto code = row.constant[alpha_channel]) out.opacity = *code / 255.0;
-  const auto rect = std::find_if(layout.rects.begin(), layout.rects.end(),
-                                 [&](const AtlasRect& each) { return each.name == row.name; });
-  if (rect == layout.rects.end()) return out;
-  const AtlasPage& page = layout.pages[static_cast<std::size_t>(rect->page)];
-  out.use.region = {static_cast<double>(rect->x) / page.width, static_cast<double>(rect->y) / page.height,
-                    static_cast<double>(rect->width) / page.width,
-                    static_cast<double>(rect->height) / page.height};
-  out.use.rotated = rect->rotated;
+  for (std::size_t part = 0; part < channel_parts.size(); ++part) {
+    const auto rect = std::ranges::find_if(
+        layout.rects, [&](const AtlasRect& each) { return each.name == row.name && each.holds[part]; });
+    if (rect == layout.rects.end()) continue;
+    const AtlasPage& page = layout.pages[static_cast<std::size_t>(rect->page)];
+    // A number in the place of a part is one texel, which is read in its middle.
+    const bool number = !rect->holds_all() && rect->width == 1 && rect->height == 1;
+    const double x = rect->x + (number ? 0.5 : 0), y = rect->y + (number ? 0.5 : 0);
+    out.use.places[part] = {{x / page.width, y / page.height, (number ? 0.0 : rect->width) / page.width,
+                             (number ? 0.0 : rect->height) / page.height},
+                            rect->rotated};
+  }
   return out;
 }
 

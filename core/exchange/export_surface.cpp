@@ -112,6 +112,9 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
   out.name = material.name;
   note_quality(out, material, dataset);
   out.space = options.space;
+  if (result.flags.has(Flag::finer_than_grid))
+    out.notes.push_back(std::string(name(Flag::finer_than_grid)) + ": " +
+                        std::string(meaning(Flag::finer_than_grid)));
   if (std::string remark = class_remark(material); !remark.empty()) out.notes.push_back(std::move(remark));
   const std::string_view kind = optical_kind(material.material_class);
   if (material.class_by == ClassBy::nobody && result.luminance > most_assumed_f0)

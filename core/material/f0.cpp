@@ -25,7 +25,8 @@ namespace {
 constexpr double flagged_below = 0.99;
 constexpr double wide_gap_nm = 20;
 constexpr double visible_absorption = 0.01;
-// A larger error of the reference sum by data finer than 1 nm is flagged: three quarters of a code at 0.04.
+// With a larger error of the reference sum by data finer than 1 nm these are integrated exactly, and flagged: three
+// quarters of a code at 0.04.
 constexpr double flagged_grid_error = 1e-3;
 
 bool is_single_sample(const Optics& optics) {
@@ -148,13 +149,16 @@ struct F0Solver::State {
     const Quadrature& quadrature() const { return own ? *own : *shared; }
   };
 
+  //   spiky   the reference sum would miss what the data hold
   template <class Reflect>
-  Rule rule_for(std::vector<double> knots, const Reflect& reflect) const {
+  Rule rule_for(std::vector<double> knots, bool spiky, const Reflect& reflect) const {
     Rule out;
     out.shared = &setup.quadrature;
-    if (!setup.needs_knots()) return out;
+    if (!setup.needs_knots() && !spiky) return out;
     knots = all_knots(setup.options, std::move(knots));
-    if (!setup.exact()) {
+    if (spiky) {
+      out.step.emplace();
+    } else if (!setup.exact()) {
       const auto errors = estimate(refinement(), knots, reflect);
       for (std::size_t i = 0; i < errors.size(); ++i)
         if (errors[i] <= setup.options.integration_bound) {
@@ -187,7 +191,8 @@ struct F0Solver::State {
   template <class Reflect>
   void add_colour(std::vector<double> knots, const Reflect& reflect, const std::vector<double>* r82,
                   F0Result& result) const {
-    const Rule rule = rule_for(std::move(knots), reflect);
+    const bool spiky = setup.options.method == Method::nm1 && result.flags.has(Flag::finer_than_grid);
+    const Rule rule = rule_for(std::move(knots), spiky, reflect);
     if (result.refused()) return;
     const Quadrature& q = rule.quadrature();
     const std::span<const double> r0 = reflect(q);
@@ -198,9 +203,12 @@ struct F0Solver::State {
       step->error = exact_method_error(q, r0);
       step->within_bound = step->error <= setup.options.integration_bound;
     }
-    result = with_colour(std::move(result), setup.options, q,
-                         setup.exact() ? colour_spaces(setup.options, q) : setup.spaces, r0,
-                         r82 ? std::span<const double>(*r82) : std::span<const double>{});
+    std::optional<F0Options> exactly;
+    if (spiky) exactly.emplace(setup.options).method = Method::exact;
+    const F0Options& options = exactly ? *exactly : setup.options;
+    const bool own_spaces = options.method == Method::exact;
+    result = with_colour(std::move(result), options, q, own_spaces ? colour_spaces(options, q) : setup.spaces,
+                         r0, r82 ? std::span<const double>(*r82) : std::span<const double>{});
   }
 };
 
@@ -241,7 +249,7 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   };
   if (state_->finer_than_grid(optics, reflect)) result.flags.set(Flag::finer_than_grid);
   std::vector<double> knots;
-  if (setup.needs_knots()) append_knots(optics, knots);
+  if (setup.needs_knots() || result.flags.has(Flag::finer_than_grid)) append_knots(optics, knots);
   state_->add_colour(std::move(knots), reflect, table ? nullptr : &room.r82, result);
   watch.lap(times.sum);
   return result;

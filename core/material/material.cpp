@@ -35,9 +35,9 @@ constexpr std::array<FlagRow, flag_count> flag_rows{{
     {"outside-absorption-ignored", "the small absorption of the outside medium was taken as 0"},
     {"reflectance-clamped", "tabulated reflectance up to 0.02 outside [0, 1] was taken as 0 or 1"},
     {"finer-than-grid",
-     "the samples are closer than the step of the sum, which may miss what they hold; the automatic method "
-     "finds a "
-     "step"},
+     "the samples are closer than the step of the sum, which may miss what they hold: in place of the 1 nm "
+     "sum they "
+     "were integrated exactly; for the wider sums the automatic method finds a step"},
     {"computed", "the numbers come from theory alone; nothing was measured"},
     {"sparse", "the table has fewer than 10 samples in 400-700 nm"},
     {"doubtful",

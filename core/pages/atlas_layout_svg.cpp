@@ -86,8 +86,10 @@ std::vector<SourceMap> source_maps(const AtlasLayout& layout) {
   };
   std::vector<Shared> pictures;
   for (const auto& [name, rects] : by_material) {
-    const AtlasRect& first = *rects.front();
-    if (rects.size() == 1 && first.crop == PixelBox{0, 0, first.source_width, first.source_height}) continue;
+    const auto whole = [](const AtlasRect* r) {
+      return r->crop == PixelBox{0, 0, r->source_width, r->source_height};
+    };
+    if (std::ranges::all_of(rects, whole)) continue;
     const auto known = std::find_if(pictures.begin(), pictures.end(), [&, &all = rects](const Shared& each) {
       return std::equal(each.rects.begin(), each.rects.end(), all.begin(), all.end(), same);
     });

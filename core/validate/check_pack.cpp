@@ -76,9 +76,12 @@ bool PackCheck::check_page(const AtlasLayout& layout, int page,
     scene_->judge(page, is_page ? pixels : nullptr, settings, options_.threads);
     found.push_back(scene_->found());
   }
-  // No target where no material is on no page; and those of a scene were judged.
-  if (index < targets.size() && (is_page || !scene_)) {
-    CheckTarget& target = targets[index];
+  // No target where no material is on no page; and those of a scene were judged. With a page come the materials whose
+  // parts lie apart on it.
+  for (std::size_t i = index; i < targets.size() && (is_page || !scene_); ++i) {
+    CheckTarget& target = targets[i];
+    const auto& parts = target.manifest.parts;
+    if (parts.empty() ? i != index : scene_ || !is_page || parts.front().page != page) continue;
     if (scene_) target.manifest.scene = scene_->path();
     const auto open = [&](const TargetFile& file) {
       return rows(file.role == FileRole::diffuse_alpha ? Texture::diffuse_alpha : Texture::specular_gloss);

@@ -149,7 +149,7 @@ CheckedFile checked_file_of(const CheckTarget& target) {
 Settings settings_for(const CheckTarget& target, const Settings& settings) {
   Settings own = settings;
   if (target.manifest.transfer) own.transfer = *target.manifest.transfer;
-  if (!target.manifest.scene.empty())
+  if ((!target.manifest.scene.empty() && target.manifest.parts.empty()) || target.manifest.layout_alone)
     for (const Rule* rule : rules())
       if (!rule->needs.has(Need::layout)) own.rules[std::string(rule->id)].severity = Severity::off;
   return own;

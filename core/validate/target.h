@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/atlas/layout.h"
 #include "core/image/picture.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
@@ -102,6 +103,11 @@ struct Manifest {
   // Of pages: the path of the scene that reads them, where that is judged too. What the pages show is judged
   // with it, and here what their layout alone can break.
   std::string scene;
+  // Of a page whose materials' parts lie apart: what they show is judged material by material, and of the page what
+  // its layout alone can break.
+  bool layout_alone = false;
+  std::vector<AtlasRect>
+      parts;            // of such a material: the pictures are put together from these regions of the files
   bool packed = false;  // of a scene: its pictures are pages, whose sides their packer chose
   // The shader multiplies diffuse by 1 - max F0, as glTF's does (ETK201).
   bool specular_weighs_diffuse = false;

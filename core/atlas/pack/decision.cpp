@@ -10,6 +10,7 @@
 #include "core/atlas/sources/apply_variants.h"
 #include "core/atlas/sources/pictures.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 #include "core/image/mips.h"
 #include "core/image/texture_bytes.h"
 
@@ -41,6 +42,8 @@ LeaveOut left_out_of(const PackSource& source, const PackOptions& options, const
   if (way.whole) what.keep.insert("crop");
   what.levels = levels_sampled(options, source);
   what.gutter = options.layout.gutter;
+  // What materials share, and which are numbers, was left out before.
+  if (source.one_page) what.keep.insert({"equal", "alpha", "constant", "grey"});
   return leave_out(facts, what);
 }
 
@@ -77,7 +80,7 @@ std::vector<Region> regions_needed(const PackOptions& options, const PackSource&
       for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || fates[user].varies[t];
       levels = levels == 0 || m.facts.levels == 0 ? 0 : std::max(levels, m.facts.levels);
     }
-    if (options.leave_out.keep.contains("textures")) in = {true, true};
+    if (options.leave_out.keep.contains("textures") || source.one_page) in = {true, true};
     if (options.leave_out.keep.contains("mips")) levels = 0;
     for (const PixelBox& box : fate.boxes) out.push_back({i, box, in, own_page, levels, 0});
   }
@@ -136,7 +139,7 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source,
   out.rects.threads = options.run.threads;
   out.levels = levels_sampled(options, source);
   out.gutter = options.layout.gutter;
-  out.split_textures = !options.leave_out.keep.contains("textures");
+  out.split_textures = !options.leave_out.keep.contains("textures") && !source.one_page;
   out.most_extra_area = options.layout.most_extra_area;
   if (source.scene) {
     // Viewers make the mips that samplers ask for by themselves, and UVs cannot be inset without shrinking
@@ -146,6 +149,10 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source,
         regions.size() != 1 || !reads_around(source.inputs.materials[regions[0].material], regions[0].box);
     out.free_first = !options.layout.form;
     out.least_gutter = 1;
+  }
+  if (source.one_page) {
+    out.rects.form = options.layout.form.value_or(PageForm::free);
+    out.free_first = false;
   }
   return out;
 }
@@ -191,6 +198,21 @@ void teach_same_sources(PackInputs& inputs) {
   }
 }
 
+// Throws Error that tells the size of the one page that would hold the regions.
+[[noreturn]] void refuse_page(const std::vector<Region>& regions, const std::vector<std::string>& names,
+                              PlanOptions plan) {
+  const std::string limit = std::to_string(plan.rects.largest_side);
+  std::string needed = "more than " + std::to_string(max_image_side) + " a side";
+  plan.rects.side = plan.rects.largest_side = max_image_side;
+  try {
+    const PlannedPage page = plan_pages(regions, names, plan).pages.at(0);
+    needed = std::to_string(page.width) + " x " + std::to_string(page.height);
+  } catch (const Error&) {  // no page at all holds them
+  }
+  throw Error::at(setting("goal"), "one page for all materials takes " + needed,
+                  "at most " + limit + " x " + limit + ", a larger " + setting("page") + " or another goal");
+}
+
 enum class Way { islands, crops, whole };
 
 PackDecision decided(Way way, const PackOptions& options, const PackSource& source,
@@ -206,7 +228,13 @@ PackDecision decided(Way way, const PackOptions& options, const PackSource& sour
   }
   std::vector<std::string> names;
   for (const PackInput& m : source.inputs.materials) names.push_back(m.name);
-  out.plan = plan_pages(out.regions, names, plan_options(options, source, out.regions), previous);
+  PlanOptions plan = plan_options(options, source, out.regions);
+  try {
+    out.plan = plan_pages(out.regions, names, plan, previous);
+  } catch (const Error&) {
+    if (!source.one_page) throw;
+    refuse_page(out.regions, names, plan);
+  }
   out.levels = levels_of(options, source.inputs, out.regions, out.plan);
   return out;
 }
@@ -233,7 +261,7 @@ void add_whole(std::vector<PackDecision>& ways, const PackOptions& options, cons
 }  // namespace
 
 bool weighs_files(const PackOptions& options, const PackSource& source) {
-  return options.output.goal != PackGoal::gpu && source.scene && source.scene->writes_scene();
+  return weighs_disk(options.output.goal) && source.scene && source.scene->writes_scene();
 }
 
 std::vector<PackDecision> decide(const PackOptions& options, const PackSource& source,
@@ -246,7 +274,8 @@ std::vector<PackDecision> decide(const PackOptions& options, const PackSource& s
     if (out.empty()) throw;
     return out;  // a whole box may fit no page where its islands do
   }
-  if (source.scene && previous == nullptr && !options.layout.form && !options.layout.gutter)
+  if (source.scene && !source.one_page && previous == nullptr && !options.layout.form &&
+      !options.layout.gutter)
     add_whole(out, options, source, found);
   if (weighs_files(options, source)) return out;
   // Gutters around many islands can take more than what lies between them. Of ways that take the same the last is

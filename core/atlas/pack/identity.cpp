@@ -53,7 +53,7 @@ std::string settings_hash(const PackOptions& options, const PackInputs& inputs) 
 
 std::vector<std::string> input_files(const PackOptions& options, const PackSource& source) {
   std::vector<std::string> files;
-  for (const PackInput& m : source.inputs.materials) {
+  for (const PackInput& m : source.materials()) {
     files.insert(files.end(), m.files.begin(), m.files.end());
     if (m.normal.is_image()) files.push_back(m.normal.path);
   }

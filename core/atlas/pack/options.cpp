@@ -60,7 +60,22 @@ std::optional<PngLevel> png_level(const std::string& text) {
 }
 
 PackGoal goal(const std::string& text) {
-  return text == "disk" ? PackGoal::disk : text == "both" ? PackGoal::both : PackGoal::gpu;
+  return text == "one-page" ? PackGoal::one_page
+         : text == "disk"   ? PackGoal::disk
+         : text == "both"   ? PackGoal::both
+                            : PackGoal::gpu;
+}
+
+// What cannot be asked for beside one page.
+void refuse_beside_one_page(const PackSettings& s) {
+  const std::string beside = " beside " + setting("goal") + " one-page";
+  if (s.page_form == "pages" || s.page_form == "mixed")
+    throw Error::at(setting("page-form"), s.page_form + beside, "free, square, pot or mult4");
+  if (s.islands)
+    throw Error::at(setting("islands"), "asked for" + beside, "whole boxes, whose parts lie apart");
+  if (!s.previous.empty())
+    throw Error::at(setting("previous"), "asked for" + beside,
+                    "a layout from scratch, whose regions are no material's");
 }
 
 std::vector<GltfForm> gltf_forms(const std::string& list) {
@@ -138,7 +153,8 @@ PackOptions pack_options(const PackSettings& s) {
   out.output.smallest_form = s.gltf_form == "smallest";
   if (!out.output.smallest_form) out.output.forms = gltf_forms(s.gltf_form);
   out.output.goal = goal(s.goal);
-  if (out.output.goal != PackGoal::gpu && out.output.forms.size() > 1)
+  if (out.output.goal == PackGoal::one_page) refuse_beside_one_page(s);
+  if (weighs_disk(out.output.goal) && out.output.forms.size() > 1)
     throw Error::at(setting("goal"), s.goal + " beside two forms in one file",
                     "one " + setting("gltf-form") + ", or smallest");
   out.output.bleed = s.bleed;

@@ -8,6 +8,7 @@
 #include "core/atlas/pack/decision.h"
 #include "core/atlas/pack/earlier.h"
 #include "core/atlas/pack/identity.h"
+#include "core/atlas/pack/one_page.h"
 #include "core/atlas/pack/pages.h"
 #include "core/atlas/pack/scene/scene_facts.h"
 #include "core/atlas/pack/source.h"
@@ -129,6 +130,7 @@ void tell(const PackSource& source, const PackDecision& decision, const std::vec
   result.levels = result.layout.levels;
   result.left_out = decision.left_out;
   account(source.inputs, decision, result);
+  if (source.one_page) account_of_parts(*source.one_page, decision, result);
   result.left_out.fates.clear();
   tell_clamped(source.inputs, learned, result.remarks);
   if (source.scene) source.scene->add_remarks(result.remarks);
@@ -184,6 +186,8 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   if (const std::string& file = options.layout.previous; !file.empty())
     previous = parse_layout(read_file(file), file);
 
+  if (options.output.goal == PackGoal::one_page)
+    stages.timed("shared parts", [&] { source.one_page = share_parts(options, source, result); });
   if (source.scene && options.check.scene) options.check.scene(source.scene->packed());
   PackDecision decision;
   FoundResolutions found;
@@ -206,7 +210,8 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   });
   if (made->folder) result.files = complete(*made->folder, options, source, earlier, result);
   tell(source, decision, learned, result);
-  if (source.scene) result.forms = source.scene->form_costs(), result.goal = options.output.goal;
+  result.goal = options.output.goal;
+  if (source.scene) result.forms = source.scene->form_costs();
   if (made->folder)
     stages.timed("totals",
                  [&] { result.totals = pack_totals(source, options, result.layout, *made->folder); });

@@ -170,6 +170,12 @@ struct PackStage {
   double seconds = 0;
 };
 
+/// What materials that were packed to one page would take on pages of their own, as PackGoal::gpu lays them.
+struct PagesApart {
+  std::size_t pages = 0, without_texels = 0;  // pairs to bind; materials of numbers alone, which are on none
+  std::uint64_t gpu = 0;                      // bytes, uncompressed with all mips
+};
+
 /// What pack() did; report_text() and report_json() write it.
 struct PackResult {
   std::string input, output;
@@ -194,6 +200,7 @@ struct PackResult {
   std::optional<PackTotals> totals;  // none where nothing was written
   std::vector<FormCost> forms;       // of a scene
   PackGoal goal = PackGoal::gpu;     // by which they were weighed
+  std::optional<PagesApart> apart;   // of PackGoal::one_page, where there are such pages
   std::string validation;  // JSON of the validator's report on the pages; empty: they were not checked
   GlossForm gloss = GlossForm::schueler;
 };

@@ -4,6 +4,7 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
+#include "core/image/texture_bytes.h"
 
 namespace etak {
 namespace {
@@ -145,7 +146,7 @@ std::string form_json(const FormCost& form) {
 // What the scene's textures take in each form that glTF has for them.
 std::string forms_text(const PackResult& r) {
   if (r.forms.empty()) return "";
-  const bool disk = r.goal != PackGoal::gpu;
+  const bool disk = weighs_disk(r.goal);
   std::string out = "\nscene.gltf in each form: its textures ";
   out += disk ? "on disk and on the GPU" : "on the GPU";
   out += r.goal == PackGoal::gpu ? "\n" : " (weighed: " + std::string(name(r.goal)) + ")\n";
@@ -164,6 +165,26 @@ std::string forms_text(const PackResult& r) {
     out += std::string("; ") + text.remark + (each.exact ? "" : "; not exact in this scene") + "\n";
   }
   return out;
+}
+
+std::uint64_t pages_gpu(const PackResult& r) {
+  std::uint64_t out = 0;
+  for (const PlannedPage& page : r.pages) out += 2 * texture_bytes({page.width, page.height, 4}, true);
+  return out;
+}
+
+// Bytes against binds: what one page for all materials takes, and what pages of their own would.
+std::string one_page_text(const PackResult& r) {
+  if (r.goal != PackGoal::one_page) return "";
+  const auto bytes_of = [](std::uint64_t gpu) { return megabytes(gpu) + " on the GPU"; };
+  std::string out = "\none page: " + std::to_string(r.materials) + " materials, one pair to bind, " +
+                    bytes_of(pages_gpu(r)) + "; ";
+  if (!r.apart) return out + "apart they fit no pages of that size\n";
+  out += "apart, by " + setting("goal") + " gpu: " + std::to_string(r.apart->pages) +
+         (r.apart->pages == 1 ? " pair, " : " pairs, ") + bytes_of(r.apart->gpu);
+  if (r.apart->without_texels > 0)
+    out += ", and " + std::to_string(r.apart->without_texels) + " without texels, by numbers";
+  return out + "\n";
 }
 
 std::string pages_text(const PackResult& r) {
@@ -208,7 +229,7 @@ std::string report_text(const PackResult& r, bool stages) {
            " stored as " + std::to_string(each.stored_width) + "x" + std::to_string(each.stored_height) +
            ", dE " + number(each.delta_e, 3) + ", " + number(each.seen_delta_e, 3) + " of what is seen\n";
   if (r.totals) out += totals_text(*r.totals);
-  out += forms_text(r);
+  out += forms_text(r) + one_page_text(r);
   if (stages)
     for (const PackStage& stage : r.stages)
       out += padded(stage.name, 18) + right(fixed(1000 * stage.seconds, 1), 9) + " ms\n";
@@ -244,6 +265,14 @@ std::string report_json(const PackResult& r, bool stages) {
   if (!r.forms.empty()) {
     members.push_back({"goal", json(name(r.goal))});
     members.push_back({"forms", list_json(r.forms, form_json)});
+  }
+  if (r.goal == PackGoal::one_page) {
+    std::string apart = "null";
+    if (r.apart)
+      apart = "{\"binds\": " + json(r.apart->pages) + ", \"gpu\": " + json(r.apart->gpu) +
+              ", \"without_texels\": " + json(r.apart->without_texels) + "}";
+    members.push_back(
+        {"one_page", "{\"binds\": 1, \"gpu\": " + json(pages_gpu(r)) + ", \"apart\": " + apart + "}"});
   }
   if (r.totals) members.push_back({"totals", totals_json(*r.totals)});
   if (!r.validation.empty()) members.push_back({"validation", r.validation});

@@ -81,8 +81,11 @@ constexpr PackSettingRow setting_rows[] = {
      "what is weighed where a scene's textures can be written in several ways (form, islands, on a page or "
      "as "
      "they were): gpu (bytes on a GPU, uncompressed with mips), disk (bytes of the files, which are "
-     "compressed to be weighed) or both (shares of the input's, added)",
-     "gpu disk both"},
+     "compressed to be weighed) or both (shares of the input's, added); one-page: one pair of textures for "
+     "all "
+     "materials, each of diffuse, alpha, F0 and gloss that they share stored once, numbers as texels, and no "
+     "scene.gltf",
+     "gpu disk both one-page"},
     {output, "textures", &S::format, 0, 0, "LIST", shown,
      "files of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between", "", "format"},
     {output, "png-level", &S::png_level, 0, 0, "", shown,

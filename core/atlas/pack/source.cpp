@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/atlas/pack/one_page.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/sources/apply_variants.h"
 #include "core/base/error.h"
@@ -45,6 +46,10 @@ PackManifest manifest_in(const std::string& path, const PackOptions& options) {
 }
 
 }  // namespace
+
+const std::vector<PackInput>& PackSource::materials() const {
+  return one_page ? one_page->materials : inputs.materials;
+}
 
 PackSource read_source(const std::string& input, const PackManifest* manifest, const PackOptions& options,
                        const MaterialLibrary& library) {

@@ -9,6 +9,7 @@
 
 namespace etak {
 
+struct OnePage;  // core/atlas/pack/one_page.h
 struct PackManifest;
 struct PackOptions;
 
@@ -16,6 +17,12 @@ struct PackOptions;
 struct PackSource {
   PackInputs inputs;
   std::unique_ptr<ScenePack> scene;  // null: no glTF
+  // Of one page for all materials: what they read of `inputs`, which hold their shared parts then. Null: `inputs` are
+  // the materials.
+  std::shared_ptr<const OnePage> one_page;
+
+  /// The materials as they were read.
+  const std::vector<PackInput>& materials() const;
 };
 
 /// Reads a manifest, a folder or a glTF scene. Throws Error, also for options that say nothing of such an

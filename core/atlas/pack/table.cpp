@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/atlas/defines.h"
+#include "core/atlas/pack/one_page.h"
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -51,6 +52,38 @@ void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decisi
     rect.repeats = regions[r].own_page && m.wrap_of(box) != clamped;
     rect.source_gutter = at.gutter > 0 && !(m.is_whole(box) && m.wrap == clamped);
     out.rects.push_back(rect);
+  }
+}
+
+// The regions of a material whose parts lie apart: parts of one place have one region.
+void add_part_rects(const PackInput& m, const std::array<PartPlace, channel_parts.size()>& places,
+                    const PackSource& source, const PackDecision& decision, AtlasLayout& out) {
+  const std::size_t first = out.rects.size();
+  for (std::size_t part = 0; part < places.size(); ++part) {
+    const auto [sheet, texel] = places[part];
+    const PackInput& held = source.inputs.materials[sheet];
+    AtlasLayout one;
+    add_rects(held, sheet, decision, one);
+    AtlasRect rect = one.rects.at(0);
+    rect.name = m.name;
+    rect.holds = {};
+    if (texel) {
+      const int column = *texel % held.width, row = *texel / held.width;
+      rect.x += rect.rotated ? rect.width - 1 - row : column;
+      rect.y += rect.rotated ? column : row;
+      rect.width = rect.height = 1;
+      rect.rotated = rect.repeats = rect.source_gutter = false;
+      rect.gutter = 0, rect.mips = 1, rect.inset = 0.5;
+      rect.crop = {0, 0, m.width, m.height};
+      rect.source_width = m.width, rect.source_height = m.height;
+    }
+    const auto same = [&](AtlasRect other) {
+      other.holds = {};
+      return other == rect;
+    };
+    auto at = std::find_if(out.rects.begin() + static_cast<std::ptrdiff_t>(first), out.rects.end(), same);
+    if (at == out.rects.end()) at = out.rects.insert(at, rect);
+    at->holds[part] = true;
   }
 }
 
@@ -138,9 +171,15 @@ AtlasLayout layout_table(const PackOptions& options, const PackSource& source, c
             page_files(p, texture, levels, options.output.write.formats);
     out.pages.push_back(std::move(row));
   }
-  for (std::size_t i = 0; i < inputs.materials.size(); ++i) {
-    const PackInput& m = inputs.materials[i];
-    const MaterialFate& fate = decision.left_out.fates[i];
+  const std::vector<PackInput>& materials = source.materials();
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const PackInput& m = materials[i];
+    if (source.one_page && !m.facts.reached) continue;
+    // Of one page every part is read from a texel, but for an alpha that is full.
+    MaterialFate fate = source.one_page ? MaterialFate{} : decision.left_out.fates[i];
+    const ChannelRange& range = m.facts.range;
+    if (source.one_page && range.constant(alpha_channel) && range.most[alpha_channel] == 255)
+      fate.constant[alpha_channel] = 255;
     if (!m.facts.reached && !fate.texels) continue;
     AtlasMaterialRow row{m.name, fate.texels, m.alpha_mode, m.alpha_cutoff, fate.constant, {}, {}};
     for (std::size_t c = 0; c < channel_count && m.facts.floats; ++c)
@@ -150,7 +189,10 @@ AtlasLayout layout_table(const PackOptions& options, const PackSource& source, c
             options.leave_out.variants ? options.leave_out.variants->find(m.name) : nullptr)
       row.defines.insert(row.defines.end(), variant->defines.begin(), variant->defines.end());
     out.materials.push_back(std::move(row));
-    if (fate.texels) add_rects(m, fate.owner, decision, out);
+    if (source.one_page)
+      add_part_rects(m, source.one_page->places[i], source, decision, out);
+    else if (fate.texels)
+      add_rects(m, fate.owner, decision, out);
   }
   return out;
 }
@@ -193,6 +235,20 @@ void account(const PackInputs& inputs, const PackDecision& decision, PackResult&
   report.left_out.lines.push_back({"textures", std::to_string(singles) + " regions need one texture only",
                                    singles, single, 0, 4 * single, 0});
   report.left_out.after.texels -= single;
+}
+
+void account_of_parts(const OnePage& of, const PackDecision& decision, PackResult& report) {
+  LeaveOut& told = report.left_out;
+  std::vector<LeaveOutLine> lines = of.lines;
+  // Sharing takes texels. A number takes none, since others may share what is beside it.
+  const std::uint64_t fewer = of.before.texels - std::min(of.before.texels, told.before.texels);
+  for (LeaveOutLine& line : lines)
+    if (line.what == "equal") line.texels = fewer, line.bytes = 4 * fewer;
+  told.lines.insert(told.lines.begin(), lines.begin(), lines.end());
+  told.before = of.before;
+  told.after.channel_texels = 0;
+  for (const Region& region : decision.regions)
+    told.after.channel_texels += of.channels[region.material] * texels_of(region.width(), region.height());
 }
 
 }  // namespace etak

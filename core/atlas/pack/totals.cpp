@@ -49,7 +49,7 @@ TextureFile texture_file(const std::string& path, const PictureDoor& door) {
 }
 
 // What a manifest or a folder of pictures names: a file that serves several roles counts for the first.
-void add_manifest(PackTotals& to, const PackInputs& inputs, const PictureDoor& door) {
+void add_manifest(PackTotals& to, const std::vector<PackInput>& materials, const PictureDoor& door) {
   std::set<std::string> seen;
   const auto count = [&](const PlaneSource& plane, const char* role, bool material) {
     if (!plane.is_image() || !seen.insert(plane.path).second) return;
@@ -57,7 +57,7 @@ void add_manifest(PackTotals& to, const PackInputs& inputs, const PictureDoor& d
     add(to.input, role, material, file.totals);
     if (file.lossy) to.lossy.add(file.totals);
   };
-  for (const PackInput& m : inputs.materials) {
+  for (const PackInput& m : materials) {
     count(m.color[index_of(Texture::diffuse_alpha)], "diffuse", true);
     count(m.grey[index_of(Texture::diffuse_alpha)], "alpha", true);
     count(m.color[index_of(Texture::specular_gloss)], "F0", true);
@@ -153,7 +153,7 @@ PackTotals pack_totals(const PackSource& source, const PackOptions& options, con
   if (source.scene)
     add_input_scene(out, source.scene->scene(), door);
   else
-    add_manifest(out, source.inputs, door);
+    add_manifest(out, source.materials(), door);
   add_pages(out.output, layout, folder);
   const auto& others = layout.other_files;
   if (std::find(others.begin(), others.end(), "scene.gltf") != others.end())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -37,11 +38,18 @@ struct TextureTotals {
 ///   gpu    bytes on a GPU
 ///   disk   bytes of the files
 ///   both   the two as shares of what the input takes, added
-enum class PackGoal { gpu, disk, both };
+///   one_page   nothing: one pair of textures holds all materials (core/atlas/pack/one_page.h)
+enum class PackGoal { gpu, disk, both, one_page };
 
-/// "gpu", "disk" or "both".
+/// "gpu", "disk", "both" or "one-page".
 constexpr const char* name(PackGoal goal) {
-  return goal == PackGoal::gpu ? "gpu" : goal == PackGoal::disk ? "disk" : "both";
+  constexpr std::array names{"gpu", "disk", "both", "one-page"};
+  return names[static_cast<std::size_t>(goal)];
+}
+
+/// Whether files are compressed to be weighed.
+constexpr bool weighs_disk(PackGoal goal) {
+  return goal == PackGoal::disk || goal == PackGoal::both;
 }
 
 /// What textures weigh: of two ways to write them the lighter one is taken.

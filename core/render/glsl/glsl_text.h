@@ -102,11 +102,16 @@ struct TextureUse {
   bool scalar_f0 = false;   // F0 is grey: it is one channel or one number
   bool no_diffuse = false;  // diffuse is black everywhere
   GlossForm gloss_form = GlossForm::schueler;
-  // Where the material lies on its page: left, top, width and height as shares of the page. `rotated` is a
-  // quarter turn: column c of the picture is row c on the page, and the picture's rows run from right to
-  // left.
-  std::array<double, 4> region{0, 0, 1, 1};
-  bool rotated = false;
+  /// Where a part of the material lies on its page.
+  ///   region    left, top, width and height as shares of the page; of no width and height: one point
+  ///   rotated   a quarter turn: column c of the picture is row c on the page, and the picture's rows run from
+  ///             right to left
+  struct Place {
+    std::array<double, 4> region{0, 0, 1, 1};
+    bool rotated = false;
+    friend bool operator==(const Place&, const Place&) = default;
+  };
+  std::array<Place, 4> places;  // of diffuse, alpha, F0 and gloss
 };
 
 /// The use that the defines of `etak pack` state (core/atlas/defines.h). Throws Error for unknown defines.

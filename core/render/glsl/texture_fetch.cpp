@@ -21,13 +21,17 @@ struct FetchedTextures {
   // A mask whose alpha is one number shows all texels or none.
   bool one_mask() const { return tests() && !use.fetch_alpha; }
   bool all_hidden() const { return one_mask() && opacity < use.cutoff; }
+  // All parts of the material lie at one place.
+  bool one_place() const { return std::ranges::count(use.places, use.places[0]) == std::ssize(use.places); }
 };
+
+constexpr std::array<const char*, 4> part_names{"diffuse", "alpha", "f0", "gloss"};
 
 void add_line(TextureFetch& out, const std::string& code) {
   out.code += code + '\n';
 }
 
-void add_uniform(TextureFetch& out, const char* name, std::vector<float> values) {
+void add_uniform(TextureFetch& out, const std::string& name, std::vector<float> values) {
   const auto width = static_cast<int>(values.size());
   out.uniforms.push_back({name, width, 1, false, std::move(values)});
 }
@@ -50,11 +54,24 @@ void declare_textures(const FetchedTextures& of, TextureFetch& out) {
     add_line(out,
              "float gloss_of_roughness(float r) {\n  float r4 = max(r * r * r * r, 1e-8);\n"
              "  return clamp(log2(max(2.0 / r4 - 2.0, 1.0)) / 12.0, 0.0, 1.0);\n}");
-  const auto share = [&](std::size_t i) { return static_cast<float>(use.region[i]); };
-  if (of.a() || of.b()) {
-    add_uniform(out, "region_corner", {share(0), share(1)});
-    add_uniform(out, "region_size", {share(2), share(3)});
-  }
+  const auto add_place = [&](const std::string& name, std::size_t part) {
+    const auto share = [&](std::size_t i) { return static_cast<float>(use.places[part].region[i]); };
+    add_uniform(out, name + "_corner", {share(0), share(1)});
+    add_uniform(out, name + "_size", {share(2), share(3)});
+  };
+  if ((of.a() || of.b()) && of.one_place()) return add_place("region", 0);
+  const std::array fetched{use.diffuse, use.fetch_alpha, use.specular, use.gloss};
+  for (std::size_t part = 0; part < fetched.size(); ++part)
+    if (fetched[part]) add_place(part_names[part], part);
+}
+
+// The texel that a part is read from.
+std::string texel_of(const FetchedTextures& of, std::size_t part) {
+  const bool a = part < 2;
+  if (of.one_place()) return a ? "a" : "b";
+  const std::string name = part_names[part];
+  return std::string("texture(") + (a ? "diffuse_alpha, " : "specular_gloss, ") + name + "_corner + " + name +
+         "_size * " + (of.use.places[part].rotated ? "vec2(1.0 - uv.y, uv.x))" : "uv)");
 }
 
 void add_fetch(const FetchedTextures& of, TextureFetch& out) {
@@ -63,19 +80,22 @@ void add_fetch(const FetchedTextures& of, TextureFetch& out) {
   line("void fetch(vec2 at) {");
   if (of.a() || of.b()) {
     line("  vec2 uv = vec2(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y);");
-    if (use.rotated) line("  uv = vec2(1.0 - uv.y, uv.x);");
-    line("  uv = region_corner + region_size * uv;");
   }
-  if (of.a()) line("  vec4 a = texture(diffuse_alpha, uv);");
-  if (of.b()) line("  vec4 b = texture(specular_gloss, uv);");
-  if (use.diffuse) line("  texel_diffuse = a.rgb;");
-  if (use.fetch_alpha) line("  texel_opacity = a.a;");
-  if (use.specular) line(use.scalar_f0 ? "  texel_f0 = vec3(b.r);" : "  texel_f0 = b.rgb;");
+  if (of.one_place() && (of.a() || of.b())) {
+    if (use.places[0].rotated) line("  uv = vec2(1.0 - uv.y, uv.x);");
+    line("  uv = region_corner + region_size * uv;");
+    if (of.a()) line("  vec4 a = texture(diffuse_alpha, uv);");
+    if (of.b()) line("  vec4 b = texture(specular_gloss, uv);");
+  }
+  if (use.diffuse) line("  texel_diffuse = " + texel_of(of, 0) + ".rgb;");
+  if (use.fetch_alpha) line("  texel_opacity = " + texel_of(of, 1) + ".a;");
+  const std::string f0 = texel_of(of, 2), gloss = texel_of(of, 3) + ".a";
+  if (use.specular) line("  texel_f0 = " + (use.scalar_f0 ? "vec3(" + f0 + ".r);" : f0 + ".rgb;"));
   if (use.gloss)
-    line(std::string("  texel_gloss = ") +
-         (!of.roughness()                          ? "b.a"
-          : use.gloss_form == GlossForm::roughness ? "gloss_of_roughness(b.a)"
-                                                   : "gloss_of_roughness(1.0 - b.a)") +
+    line("  texel_gloss = " +
+         (!of.roughness()                          ? gloss
+          : use.gloss_form == GlossForm::roughness ? "gloss_of_roughness(" + gloss + ")"
+                                                   : "gloss_of_roughness(1.0 - " + gloss + ")") +
          ";");
   if (of.tests() && use.fetch_alpha) {
     add_uniform(out, "alpha_cutoff", {static_cast<float>(use.cutoff)});

@@ -21,6 +21,7 @@
 #include "core/validate/files/check_maps.h"
 #include "core/validate/files/material_evidence.h"
 #include "core/validate/files/metal_rough.h"
+#include "core/validate/files/page_parts.h"
 #include "core/validate/files/scene_check.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/pixels/flat_rows.h"
@@ -45,6 +46,11 @@ std::unique_ptr<RowSource> open_role(const CheckTarget& target, const PictureOpe
 // A pair, or F0 alone: read in strips.
 void check_pair(const CheckTarget& target, const PictureOpener& opener, const Settings& settings,
                 unsigned threads, Evidence& evidence, CheckedFile& file) {
+  if (!target.manifest.parts.empty()) {
+    const LoadedPictures whole = put_together(target, opener);
+    const auto of_material = [&](Needs) { return whole.in_memory().rows(); };
+    return look_at_pixels(target, of_material, settings, threads, evidence, file);
+  }
   const auto open = [&](Needs needs) {
     PictureRows rows;
     if (needs.has(Need::header) || needs.has(Need::bytes_a) || needs.has(Need::floats))
@@ -225,6 +231,7 @@ CheckedFile check_by(const CheckTarget& target, const Settings& settings, const 
   judge(target, evidence, own, file);
   if (target.files.empty())  // the constants of a layout have no place in a picture
     for (Finding& finding : file.findings) forget_place(finding);
+  if (!target.manifest.parts.empty()) put_parts_on_page(target, evidence, file);
   sort_findings(file);
   return file;
 }

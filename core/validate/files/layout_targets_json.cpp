@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
@@ -34,6 +35,7 @@ struct LayoutFacts {
   struct Place {
     std::string material;
     CheckTile tile;
+    AtlasRect rect;
   };
   Manifest common;  // of every page
   std::vector<Page> pages;
@@ -60,7 +62,7 @@ void add_other_file(const std::string& name, const std::string& path, Manifest& 
 // etak.
 LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int levels, int common_gutter) {
   node.expect_object();
-  LayoutFacts::Place out{node.at("name").text(), {}};
+  LayoutFacts::Place out{node.at("name").text(), {}, {}};
   CheckTile& tile = out.tile;
   tile.name = node.has("island") ? tile_name(out.material, node.at("island").integer()) : out.material;
   // In layouts of etak the first island has no number, so that any tile may be one.
@@ -78,6 +80,7 @@ LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int level
     tile.gutter = 0;
   }
   if (node.has("mips")) tile.mips = mips_of_tile(node.at("mips").integer(1, 16), levels);
+  if (node.has("parts")) out.rect = read_layout_rect(node, pages);
   return out;
 }
 
@@ -164,7 +167,7 @@ LayoutFacts facts_of(const AtlasLayout& layout, const std::string& path) {
   out.common.specular_weighs_diffuse = layout.diffuse_reduced && !layout.pages.empty();
   out.materials = layout.materials;
   for (const AtlasRect& rect : layout.rects) {
-    CheckTile& tile = out.places.emplace_back(LayoutFacts::Place{rect.name, {}}).tile;
+    CheckTile& tile = out.places.emplace_back(LayoutFacts::Place{rect.name, {}, rect}).tile;
     tile.name = rect.island > 0 ? tile_name(rect.name, rect.island) : rect.name;
     tile.island_of = rect.name;
     tile.page = rect.page;
@@ -194,6 +197,32 @@ CheckTarget target_of_numbers(const LayoutFacts& facts, const std::string& label
   return out;
 }
 
+// The materials whose parts lie apart, each a target of the page's files. Those that read the same are one.
+void add_materials_apart(const LayoutFacts& facts, const std::string& label, std::vector<CheckTarget>& to) {
+  std::map<std::string, std::vector<AtlasRect>> by_name;
+  for (const LayoutFacts::Place& place : facts.places)
+    if (!place.rect.holds_all()) by_name[place.material].push_back(place.rect);
+  std::vector<std::vector<AtlasRect>> known;
+  for (const auto& [name, rects] : by_name) {
+    std::vector<AtlasRect> nameless = rects;
+    for (AtlasRect& rect : nameless) rect.name.clear();
+    if (std::ranges::find(known, nameless) != known.end()) continue;
+    known.push_back(std::move(nameless));
+    CheckTarget target = to[static_cast<std::size_t>(rects[0].page)];
+    target.label = label + "#/materials/" + name;
+    target.manifest.layout_alone = false;
+    target.manifest.scene.clear();
+    target.manifest.parts = rects;
+    CheckTile tile;
+    tile.name = tile.island_of = name;
+    tile.page = rects[0].page;
+    tile.box = {0, 0, rects[0].source_width, rects[0].source_height};
+    tile.gutter = tile.mips = 0;
+    target.manifest.tiles = {tile};
+    to.push_back(std::move(target));
+  }
+}
+
 std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, const std::string& label) {
   std::vector<CheckTarget> targets;
   for (const LayoutFacts::Page& page : facts.pages) {
@@ -209,16 +238,20 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
   for (const AtlasMaterialRow& row : facts.materials) by_name.try_emplace(row.name, &row);
   // Materials that share texels have a rectangle each, all of the same place, which is one tile.
   std::set<std::tuple<int, int, int, int, int>> seen;
-  for (auto& [name, tile] : facts.places) {
+  for (auto& [name, tile, rect] : facts.places) {
     const PixelBox& box = tile.box;
+    CheckTarget& target = targets[static_cast<std::size_t>(tile.page)];
+    target.manifest.layout_alone = target.manifest.layout_alone || !rect.holds_all();
+    if (!rect.holds_all() && box.width == 1 && box.height == 1) continue;  // a number is no picture
     if (!seen.emplace(tile.page, box.x, box.y, box.width, box.height).second) continue;
     if (const auto row = by_name.find(name); row != by_name.end())
       for (const Texture texture : both_textures)
         tile.flat[static_cast<std::size_t>(texture)] = flat_codes(*row->second, texture);
-    targets[static_cast<std::size_t>(tile.page)].manifest.tiles.push_back(std::move(tile));
+    target.manifest.tiles.push_back(std::move(tile));
   }
   CheckTarget numbers = target_of_numbers(facts, label);
   if (!numbers.manifest.tiles.empty()) targets.push_back(std::move(numbers));
+  add_materials_apart(facts, label, targets);
   return targets;
 }
 

@@ -209,7 +209,7 @@ void SceneOnPages::take_back(Look& look, int page, const PagePixels& pixels) con
       if (view.data == nullptr) continue;
       const std::size_t first = first_channel(texture);
       std::array<bool, 4> stored{};
-      for (std::size_t c = 0; c < 4; ++c) stored[c] = !constant[first + c];
+      for (std::size_t c = 0; c < 4; ++c) stored[c] = !constant[first + c] && rect.holds_channel(first + c);
       if (std::ranges::none_of(stored, std::identity{})) continue;
       const Image8 part = texels_back(view, {rect.x, rect.y, rect.width, rect.height}, rect.rotated);
       Image8& to = texture == Texture::diffuse_alpha ? look.pictures.a : look.pictures.b;

@@ -46,6 +46,19 @@ TEST_CASE("a layout reads back as it was written") {
   CHECK(parse_layout(layout_json(layout()), "l") == layout());
 }
 
+TEST_CASE("a layout whose materials' parts lie apart is of version 2, which a reader of version 1 refuses") {
+  AtlasLayout apart = layout();
+  CHECK(contains(layout_json(apart), "\"etak-atlas-layout/1\""));
+  apart.rects[0].holds = {true, false, false, true};
+  const std::string text = layout_json(apart);
+  CHECK(contains(text, "\"etak-atlas-layout/2\""));
+  CHECK(contains(text, "\"parts\": [\"diffuse\", \"gloss\"]"));
+  CHECK(parse_layout(text, "l") == apart);
+  std::string wrong = text;
+  wrong.replace(wrong.find("[\"diffuse\""), 10, "[\"colour\"");
+  CHECK(contains(error_of([&] { (void)parse_layout(wrong, "l.json"); }), "#/rects/0/parts"));
+}
+
 TEST_CASE("a layout that is wrong is told where") {
   const auto fault = [](const std::string& from, const std::string& to) {
     std::string text = layout_json(layout());

@@ -42,8 +42,10 @@ TEST_CASE("a shader of an atlas fetches what its defines name and gets what is c
   CHECK(shader.use.alpha == TextureUse::Alpha::test);
   CHECK(shader.use.cutoff == 0.25);
   CHECK(shader.use.gloss_form == GlossForm::roughness);
-  CHECK(shader.use.region == std::array{0.25, 0.2, 0.5, 0.4});
-  CHECK(shader.use.rotated);
+  for (const TextureUse::Place& place : shader.use.places) {
+    CHECK(place.region == std::array{0.25, 0.2, 0.5, 0.4});
+    CHECK(place.rotated);
+  }
   REQUIRE(shader.f0);
   CHECK(shader.f0->g == srgb_decode(56 / 255.0));
   CHECK_FALSE(shader.diffuse);

@@ -182,3 +182,33 @@ TEST_CASE("a sum says so when the data are finer than its step, the reference su
   CHECK(!flagged(line, Method::exact));
   CHECK(!flagged(line, Method::automatic));
 }
+
+TEST_CASE("a spectrum of narrow lines is integrated exactly by itself") {
+  // Three lines of 0.09 nm between the points of the 1 nm sum, which sees nothing of them.
+  Reflectance lines;
+  for (const double middle : {500.5, 550.5, 600.5})
+    for (const auto& [nm, value] : {std::pair(-0.045, 0.0), std::pair(0.0, 1.0), std::pair(0.045, 0.0)}) {
+      lines.spectrum.wavelength_nm.push_back(middle + nm);
+      lines.spectrum.value.push_back(value);
+    }
+  lines.spectrum.wavelength_nm.insert(lines.spectrum.wavelength_nm.begin(), 360),
+      lines.spectrum.value.insert(lines.spectrum.value.begin(), 0);
+  lines.spectrum.wavelength_nm.push_back(830), lines.spectrum.value.push_back(0);
+  const F0Result usual = F0Solver({}).solve(lines), exact = F0Solver(with_method(Method::exact)).solve(lines);
+  CHECK(usual.luminance > 1e-4);
+  CHECK(usual.xyz == exact.xyz);
+  CHECK(usual.linear == exact.linear);
+  CHECK(usual.flags.has(Flag::finer_than_grid));
+  REQUIRE(usual.integration);
+  CHECK(usual.integration->method == Method::exact);
+  // The same of n and k, of F82, and of a crystal's axes together.
+  const Optics line = lorentz(550.3, 0.1);
+  const F0Result resonance = F0Solver({}).solve(line),
+                 truth = F0Solver(with_method(Method::exact)).solve(line);
+  CHECK(resonance.xyz == truth.xyz);
+  CHECK(resonance.f82 == truth.f82);
+  const F0Result axes = F0Solver({}).solve({{&line, 0.5}, {&line, 0.5}});
+  CHECK(missed(axes, truth) <= 1e-12);
+  // What is smooth keeps the sum.
+  CHECK(!F0Solver({}).solve(constants(wavelengths(350, 840, 0.5), gold_n, gold_k)).integration);
+}

@@ -21,6 +21,8 @@ constexpr std::array all_forms{GltfForm::specular_ior, GltfForm::specular_glossi
 }  // namespace
 
 bool ScenePack::State::writes_scene() const {
+  // glTF's materials name no part of a texture for one channel: one page is for programs that read layout.json.
+  if (options.output.goal == PackGoal::one_page) return false;
   const auto& formats = options.output.write.formats;
   return std::find(formats.begin(), formats.end(), "png") != formats.end();
 }
