@@ -55,6 +55,7 @@ Answer answer(const MaterialInput& input, const ExportArguments& arguments, cons
     ExportSurface surface =
         export_surface(material, dataset, solver.options(), result, diffuse, given_gloss(arguments.rough));
     surface.opacity = arguments.opacity;
+    if (!arguments.emission.empty()) surface.emission = typed_emission(arguments.emission);
     if (arguments.compute.axis_average && !dataset.axis.empty())
       surface.notes.push_back("F0 is the average over the axes of the crystal, " + dataset.id +
                               " and its others");
@@ -205,6 +206,7 @@ int export_materials(ExportArguments& arguments) {
   (void)given_gloss(arguments.rough);
   in_range("--opacity", arguments.opacity);
   if (!arguments.diffuse.empty()) (void)typed_share("--diffuse", arguments.diffuse);
+  if (!arguments.emission.empty()) (void)typed_emission(arguments.emission);
   if (!arguments.targets.empty() && arguments.to != "values")
     throw Error::at("--target", "--to " + arguments.to + " is one target", "--to values");
   const F0Options options = f0_options(arguments.compute, arguments.library);
