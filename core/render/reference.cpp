@@ -16,6 +16,7 @@
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
+#include "core/light/area_lobes.h"
 #include "core/render/backdrop.h"
 #include "core/render/optics_grid.h"
 #include "core/spectrum/integration.h"
@@ -57,11 +58,21 @@ class Random {
   // Both numbers are mixed first, because streams that start one step apart would be the same stream,
   // shifted, and show as streaks in the picture.
   Random(std::uint64_t pixel, std::uint64_t sample)
-      : numbers_(SplitMix::mixed(SplitMix::mixed(pixel + 1) ^ (sample + 1) * 0xD1B54A32D192ED03u)) {}
+      : numbers_(SplitMix::mixed(SplitMix::mixed(pixel + 1) ^ (sample + 1) * 0xD1B54A32D192ED03u)),
+        shift_x_(number_of(pixel, sample, 0x8CB92BA72F3D8DD7u)),
+        shift_y_(number_of(pixel, sample, 0xABCC77118461CEFDu)) {}
   double next() { return numbers_.uniform(); }
+  // Two numbers that stay the same.
+  double shift_x() const { return shift_x_; }
+  double shift_y() const { return shift_y_; }
 
  private:
+  static double number_of(std::uint64_t pixel, std::uint64_t sample, std::uint64_t salt) {
+    return SplitMix(SplitMix::mixed(pixel + salt) ^ (sample + 1) * 0xD1B54A32D192ED03u).uniform();
+  }
+
   SplitMix numbers_;
+  double shift_x_, shift_y_;
 };
 
 // The frame of a surface point: tangent, bitangent and normal as rows.
@@ -105,9 +116,12 @@ class Shader {
       lobe_ = lobe_of(*scene.specular, scene.specular_values);
     if (scene.diffuse != nullptr && !body_is_black(*scene.diffuse, scene.diffuse_values))
       diffuse_ = scene.diffuse;
+    for (const Light& light : scene.lights.lights)
+      if (is_area(light.kind)) areas_.push_back(light);
   }
 
   bool has_ambient() const { return environment_ != nullptr || scene_.lights.hemispheres.has_value(); }
+  bool has_areas() const { return !areas_.empty(); }
 
   // f_r of the specular part plus opacity times that of the diffuse part, for directions in the frame of the
   // point.
@@ -136,6 +150,7 @@ class Shader {
   Vec3 from_lights(const Vec3& position, const Mat3& frame, const Vec3& v) const {
     Vec3 sum{};
     for (const Light& light : scene_.lights.lights) {
+      if (is_area(light.kind)) continue;
       Vec3 to_light = light.direction * -1;
       double e = light.intensity * (scene_.lights.pi_scaled ? pi : 1);
       if (light.kind != LightKind::directional) {
@@ -154,6 +169,22 @@ class Shader {
     return sum;
   }
 
+  // One unbiased sample of the reflected light of the areas: one place on each, and one direction of the lobe.
+  //   sample   of the ray: places of successive ones are spread by the golden ratio of two dimensions (Roberts 2018)
+  Vec3 area_sample(const Vec3& position, const Mat3& frame, const Vec3& v, int sample,
+                   const Random& random) const {
+    Vec3 sum{};
+    const double across = random.shift_x() + sample * 0.7548776662466927,
+                 along = random.shift_y() + sample * 0.5698402909980532;
+    const double x = across - std::floor(across), y = along - std::floor(along);
+    for (const Light& light : areas_) {
+      const Vec3 way = area_place(light, x, y) + position * -1;
+      sum = sum + from_area(light, position, frame, v, frame * (way * (1 / std::sqrt(dot(way, way)))));
+      sum = sum + from_area(light, position, frame, v, lobe_direction(v, x, y));
+    }
+    return sum;
+  }
+
   // One unbiased sample of the reflected light from hemispheres and environment.
   Vec3 ambient_sample(const Mat3& frame, const Vec3& v, Random& random) const {
     const double pick = random.next(), a = random.next(), b = random.next();
@@ -166,20 +197,11 @@ class Shader {
       const double radius = std::sqrt(a), phi = 2 * pi * b;
       l = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - a)};
     } else {
-      // The half vector has the density nh^e over the hemisphere; the viewer is mirrored at it.
-      const double nh = std::pow(a, 1 / (exponent_ + 1)),
-                   sine = std::sqrt(std::max(0.0, (1 - nh) * (1 + nh)));
-      const double phi = 2 * pi * b;
-      const Vec3 h{sine * std::cos(phi), sine * std::sin(phi), nh};
-      l = h * (2 * dot(h, v)) + v * -1;
+      l = lobe_direction(v, a, b);
     }
     if (l[2] <= 0) return {};
-    const Vec3 bisector = l + v;
-    const double length = std::sqrt(dot(bisector, bisector));
-    const double nh = bisector[2] / length, vh = length / 2;
     const Vec3 outside = out_of(frame, l);
-    const double lobe_pdf = (exponent_ + 1) / (2 * pi) * std::pow(nh, exponent_) / (4 * vh);
-    double pdf = share * (l[2] / pi + lobe_pdf);
+    double pdf = share * (l[2] / pi + lobe_pdf(l, v));
     if (by_light) pdf += share * environment_->pdf(turn_.to_map(outside));
     if (!(pdf > 0)) return {};
     Vec3 radiance{};
@@ -215,7 +237,30 @@ class Shader {
   }
 
  private:
+  // The half vector has the density nh^e over the hemisphere; the viewer is mirrored at it.
+  Vec3 lobe_direction(const Vec3& v, double a, double b) const {
+    const double nh = std::pow(a, 1 / (exponent_ + 1)), sine = std::sqrt(std::max(0.0, (1 - nh) * (1 + nh)));
+    const double phi = 2 * pi * b;
+    const Vec3 h{sine * std::cos(phi), sine * std::sin(phi), nh};
+    return h * (2 * dot(h, v)) + v * -1;
+  }
+  double lobe_pdf(const Vec3& l, const Vec3& v) const {
+    const Vec3 bisector = l + v;
+    const double length = std::sqrt(dot(bisector, bisector));
+    const double nh = bisector[2] / length, vh = length / 2;
+    return (exponent_ + 1) / (2 * pi) * std::pow(nh, exponent_) / (4 * vh);
+  }
+
+  // What an area gives from direction `l`, over the sum of both densities of area_sample() there.
+  Vec3 from_area(const Light& light, const Vec3& position, const Mat3& frame, const Vec3& v,
+                 const Vec3& l) const {
+    const double density = area_density(light, position, out_of(frame, l));
+    if (l[2] <= 0 || density <= 0) return {};
+    return reflectance(l, v) * light.color * (light.intensity * l[2] / (density + lobe_pdf(l, v)));
+  }
+
   const Scene& scene_;
+  std::vector<Light> areas_;
   const Environment* environment_;
   EnvironmentTurn turn_;
   const SpectralFresnel* fresnel_;
@@ -250,11 +295,13 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const SceneBackdro
     const Mat3 frame = frame_of(sight.normal);
     const Vec3 v = frame * sight.viewer;
     Vec3 light = shader.from_lights(sight.position, frame, v);
-    if (shader.has_ambient() && options.light_samples > 0) {
+    if ((shader.has_ambient() || shader.has_areas()) && options.light_samples > 0) {
       Random random(pixel, static_cast<std::uint64_t>(i));
       Vec3 ambient{};
       for (int s = 0; s < options.light_samples; ++s) {
-        const Vec3 one = shader.ambient_sample(frame, v, random);
+        Vec3 one{};
+        if (shader.has_ambient()) one = shader.ambient_sample(frame, v, random) * scene.surface.occlusion;
+        if (shader.has_areas()) one = one + shader.area_sample(sight.position, frame, v, s, random);
         ambient = ambient + one;
         const double y_one = luminance_of(one);
         sum += y_one;
@@ -263,7 +310,7 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const SceneBackdro
       }
       light = light + ambient * (1.0 / options.light_samples);
     }
-    out.color = out.color + light + shader.through(sight, v[2], backdrop.at(x, y));
+    out.color = out.color + scene.surface.emission + light + shader.through(sight, v[2], backdrop.at(x, y));
   }
   const double rays = double(side) * side;
   out.color = out.color * (1 / rays);
