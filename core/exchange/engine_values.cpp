@@ -13,6 +13,41 @@ constexpr const TargetRow* rows[] = {
 #undef ETAK_TARGET
 };
 
+// How a target takes an emission: as one colour, or as one of at most 1 and a strength.
+struct EmissionField {
+  std::string_view target;
+  const char* color;
+  const char* strength;  // null: there is none
+  std::string (*text)(const LinearRgb&);
+};
+constexpr EmissionField emission_fields[] = {
+    {"linear", "emission", nullptr, plain_text},
+    {"glsl", "emission", nullptr, glsl_text},
+    {"unreal", "Emissive Color", nullptr, unreal_text},
+    {"unity-metallic", "Emission", "Emission intensity", hex_text},
+    {"unity-specular", "Emission", "Emission intensity", hex_text},
+    {"blender", "Emission Color", "Emission Strength", blender_text},
+    {"filament", "emissive", nullptr, plain_text},
+    {"openpbr", "emission_color", "emission_luminance", plain_text},
+    {"gltf", "emissiveFactor", "KHR_materials_emissive_strength.emissiveStrength", plain_text},
+    {"gltf-specular-glossiness", "emissiveFactor", "KHR_materials_emissive_strength.emissiveStrength",
+     plain_text}};
+
+void add_emission(const TargetJob& j) {
+  const LinearRgb& emission = j.s.emission;
+  if (emission == LinearRgb{}) return;
+  for (const EmissionField& each : emission_fields) {
+    if (each.target != j.out.target) continue;
+    if (each.strength == nullptr) return j.add(each.color, emission, each.text);
+    const auto [color, strength] = emission_parts(emission);
+    j.add(each.color, color, each.text);
+    // OpenPBR's luminance is 0 where nothing is said; the strength of the others is 1.
+    if (strength != 1 || each.target == "openpbr") j.add(each.strength, strength);
+    return;
+  }
+  j.note("no field for the emission " + plain_text(emission) + " (radiance, linear)");
+}
+
 }  // namespace
 
 std::span<const EngineTarget> engine_targets() {
@@ -39,6 +74,7 @@ EngineValues engine_values(const EngineTarget& target, const ExportSurface& surf
   const TargetJob job{surface, fit, out};
   for (const TargetRow* row : rows)
     if (row->target.id == target.id) row->write(job);
+  add_emission(job);
   return out;
 }
 

@@ -22,6 +22,7 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
   ExportSurface& surface =
       out.surface.emplace(export_surface(material, dataset, solver.options(), result, diffuse, wishes.gloss));
   surface.opacity = wishes.opacity;
+  surface.emission = wishes.emission;
   if (wishes.axis_average && !dataset.axis.empty())
     surface.notes.push_back("F0 is the average over the axes of the crystal, " + dataset.id +
                             " and its others");

@@ -15,6 +15,7 @@ struct ExportWishes {
   std::optional<Gloss> gloss;
   double opacity = 1;
   bool axis_average = false;  // crystals as random grains: solve_averaged()
+  LinearRgb emission{0, 0, 0};
 };
 
 /// The surface of an input, or why its F0 is refused.

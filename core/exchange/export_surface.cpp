@@ -159,11 +159,19 @@ void validate(const ExportSurface& surface) {
   in_range(surface.gloss.roughness(), "roughness");
   in_range(surface.opacity, "opacity");
   for (const double value : vec(surface.diffuse)) in_range(value, "diffuse");
+  for (const double value : vec(surface.emission))
+    if (!(value >= 0 && std::isfinite(value)))
+      throw Error::at(surface.id, "emission " + number(value, 6), "a finite number of at least 0");
   for (const double value : vec(surface.f0))
     if (!std::isfinite(value)) throw Error::at(surface.id, "F0 " + number(value, 6), "a finite number");
   if (surface.f82)
     for (const double value : vec(*surface.f82))
       if (!std::isfinite(value)) throw Error::at(surface.id, "F82 " + number(value, 6), "a finite number");
+}
+
+EmissionParts emission_parts(const LinearRgb& emission) {
+  const double strength = std::max({1.0, emission.r, emission.g, emission.b});
+  return {{emission.r / strength, emission.g / strength, emission.b / strength}, strength};
 }
 
 double ior_of_f0(double f0) {

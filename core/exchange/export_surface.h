@@ -41,6 +41,7 @@ struct ExportSurface {
   std::optional<ClearBody> clear;   // of a dielectric without diffuse
   Gloss gloss = 0.75;               // how rough: Schueler's gloss or perceptual roughness, [0, 1]
   double opacity = 1;               // [0, 1]
+  LinearRgb emission{0, 0, 0};      // radiance that the surface sends out by itself, >= 0
   std::array<double, 3>
       log_n_hint{};                // ln n of red, green, blue, which chooses between two (n, k) of one edge
   std::vector<std::string> notes;  // what was assumed, and what is against the data
@@ -55,6 +56,13 @@ struct ExportSurface {
 ///   gloss    none: the default of the material's class
 ExportSurface export_surface(const Material& material, const Dataset& dataset, const F0Options& options,
                              const F0Result& result, const LinearRgb& diffuse, std::optional<Gloss> gloss);
+
+/// An emission as a colour of at most 1 and a factor of at least 1: what formats take that end at 1.
+struct EmissionParts {
+  LinearRgb color;
+  double strength = 1;
+};
+EmissionParts emission_parts(const LinearRgb& emission);
 
 /// What an authored pair of colours is meant to be: a metal where F0 is bright (luminance at or above the end
 /// of the forbidden zone) and the body black.

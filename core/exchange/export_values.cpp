@@ -49,23 +49,24 @@ std::string json_target(const EngineValues& values) {
 
 std::string json_material(const ExportedValues& each) {
   const ExportSurface& s = each.surface;
-  return json_object({{"id", json(s.id)},
-                      {"name", json(s.name)},
-                      {"dataset", json(each.dataset)},
-                      {"source", json(s.source)},
-                      {"kind", json(name(s.kind))},
-                      {"f0", json_color(s.f0)},
-                      {"f82", s.f82 ? json_color(*s.f82) : "null"},
-                      {"diffuse", json_color(s.diffuse)},
-                      {"total", s.total ? json_color(*s.total) : "null"},
-                      {"clear", json_clear(s.clear)},
-                      {"gloss", s.gloss.held() ? "null" : json(double{s.gloss})},
-                      {"alpha", json(s.gloss.alpha())},
-                      {"roughness", json(s.gloss.roughness())},
-                      {"opacity", json(s.opacity)},
-                      {"notes", json_array_of(s.notes)},
-                      {"targets", json_lines_of(each.targets, 6, json_target)}},
-                     4);
+  std::vector<JsonMember> out{{"id", json(s.id)},
+                              {"name", json(s.name)},
+                              {"dataset", json(each.dataset)},
+                              {"source", json(s.source)},
+                              {"kind", json(name(s.kind))},
+                              {"f0", json_color(s.f0)},
+                              {"f82", s.f82 ? json_color(*s.f82) : "null"},
+                              {"diffuse", json_color(s.diffuse)},
+                              {"total", s.total ? json_color(*s.total) : "null"},
+                              {"clear", json_clear(s.clear)},
+                              {"gloss", s.gloss.held() ? "null" : json(double{s.gloss})},
+                              {"alpha", json(s.gloss.alpha())},
+                              {"roughness", json(s.gloss.roughness())},
+                              {"opacity", json(s.opacity)},
+                              {"notes", json_array_of(s.notes)},
+                              {"targets", json_lines_of(each.targets, 6, json_target)}};
+  if (s.emission != LinearRgb{}) out.insert(out.end() - 2, {"emission", json_color(s.emission)});
+  return json_object(out, 4);
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ class Pictures {
 };
 
 struct Used {
-  bool ior = false, specular = false, glossiness = false, transmission = false;
+  bool ior = false, specular = false, glossiness = false, transmission = false, emissive_strength = false;
   Pictures pictures;
 };
 
@@ -227,6 +227,15 @@ std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, 
     members.push_back({"pbrMetallicRoughness", metallic_roughness_of(s, v, pictures, used)});
     if (v.metallic == 0) extensions = dielectric_extensions(s, v, pictures, used);
   }
+  if (s.emission != LinearRgb{}) {
+    const auto [color, strength] = emission_parts(s.emission);
+    members.push_back({"emissiveFactor", three(color)});
+    if (strength > 1) {
+      used.emissive_strength = true;
+      extensions.push_back(
+          {"KHR_materials_emissive_strength", line_object({{"emissiveStrength", json(strength)}})});
+    }
+  }
   const std::string mode = !pictures.alpha_mode.empty() ? pictures.alpha_mode : s.opacity < 1 ? "BLEND" : "";
   if (!mode.empty() && mode != "OPAQUE") members.push_back({"alphaMode", json(mode)});
   if (mode == "MASK") members.push_back({"alphaCutoff", json(pictures.alpha_cutoff)});
@@ -263,6 +272,7 @@ std::string buffer_of(const Geometry& sphere, GltfContainer container) {
 
 std::vector<std::string> extensions_of(const Used& used) {
   std::vector<std::string> names;
+  if (used.emissive_strength) names.push_back("KHR_materials_emissive_strength");
   if (used.ior) names.push_back("KHR_materials_ior");
   if (used.specular) names.push_back("KHR_materials_specular");
   if (used.transmission) names.insert(names.end(), {"KHR_materials_transmission", "KHR_materials_volume"});

@@ -113,6 +113,11 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const Mat
   }
   if (pictures.geometry_opacity.empty() && v.geometry_opacity < 1)
     node.input("geometry_opacity", v.geometry_opacity);
+  if (s.emission != LinearRgb{}) {
+    const auto [color, strength] = emission_parts(s.emission);
+    node.input("emission_luminance", strength);
+    node.input("emission_color", color);
+  }
   append(out, "  </open_pbr_surface>\n  <surfacematerial name=\"", name,
          "\" type=\"material\">\n    <input name=\"surfaceshader\" type=\"surfaceshader\" nodename=\"", name,
          "_surface\" />\n  </surfacematerial>\n");

@@ -3,12 +3,15 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
 
 namespace etak {
 namespace {
+
+constexpr double largest_area_side = 1e6;  // in radii of the object
 
 // Checks one light setup. `what` is the file or option it comes from; places inside of it are JSON pointers.
 struct Checker {
@@ -40,6 +43,12 @@ struct Checker {
     at_least_zero(pointer + "/intensity", light.intensity);
     if (light.kind != LightKind::directional) position(pointer + "/position", light.position);
     if (light.kind != LightKind::point) direction(pointer + "/direction", light.direction);
+    if (is_area(light.kind)) {
+      for (const auto& [size, value] : {std::pair("/width", light.width), std::pair("/height", light.height)})
+        if (!(value > 0 && value <= largest_area_side))
+          fail(pointer + size, value, "a size above 0, at most " + number(largest_area_side, 9));
+      return direction(pointer + "/up", light.up);
+    }
     if (light.kind != LightKind::spot) return;
     if (!(light.inner_deg >= 0 && light.inner_deg <= 90))
       fail(pointer + "/inner_deg", light.inner_deg, "a half-angle of 0 to 90 degrees");
@@ -62,11 +71,12 @@ Light directional_from(double elevation_deg, double azimuth_deg, const Vec3& col
 }  // namespace
 
 std::string_view name(LightKind kind) {
-  return kind == LightKind::point ? "point" : kind == LightKind::directional ? "directional" : "spot";
+  constexpr std::string_view names[] = {"point", "directional", "spot", "rectangle", "disc"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::optional<LightKind> light_kind_named(std::string_view text) {
-  for (const LightKind kind : {LightKind::point, LightKind::directional, LightKind::spot})
+  for (const LightKind kind : light_kinds)
     if (text == name(kind)) return kind;
   return std::nullopt;
 }
@@ -91,6 +101,9 @@ void validate(const LightSetup& setup, std::string_view what) {
     check.direction("/hemispheres/axis", setup.hemispheres->axis);
   }
   check.at_least_zero("/environment/scale", setup.environment_scale);
+  for (std::size_t i = 0; setup.ground && i < 3; ++i)
+    if (const double share = (*setup.ground)[i]; !(share >= 0 && share <= 1))
+      check.fail("/ground/albedo/" + std::to_string(i), share, "a share of 0 to 1");
 }
 
 LightSetup default_lights() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,19 +18,29 @@ namespace etak {
 ///   directional   color * intensity is the irradiance on a plane that faces the light, in W/m^2, the same
 ///                 everywhere
 ///   spot          a point light with a cone: full inside the half-angle inner_deg, nothing outside outer_deg
-enum class LightKind { point, directional, spot };
+///   rectangle     color * intensity is the radiance in W/(m^2 sr) of a rectangle that is lit on one side, to where
+///                 `direction` shows; it is not seen itself
+///   disc          the same for an ellipse, a disc where width and height are equal
+enum class LightKind { point, directional, spot, rectangle, disc };
+inline constexpr std::array light_kinds{LightKind::point, LightKind::directional, LightKind::spot,
+                                        LightKind::rectangle, LightKind::disc};
 inline constexpr double point_light_min_r = 1e-3;
 std::string_view name(LightKind kind);
 std::optional<LightKind> light_kind_named(std::string_view text);
+constexpr bool is_area(LightKind kind) {
+  return kind == LightKind::rectangle || kind == LightKind::disc;
+}
 
 /// One light of a scene.
 struct Light {
   LightKind kind = LightKind::directional;
-  Vec3 position{0, 0, 0};                 // point, spot
-  Vec3 direction{0, 0, -1};               // directional, spot: where the light goes; unit length
+  Vec3 position{0, 0, 0};                 // all but directional; of areas their centre
+  Vec3 direction{0, 0, -1};               // all but point: where the light goes; unit length
   Vec3 color{1, 1, 1};                    // linear RGB, >= 0
   double intensity = 1;                   // >= 0
   double inner_deg = 20, outer_deg = 30;  // spot: 0 <= inner <= outer <= 90
+  double width = 1, height = 1;           // areas: sides or diameters, above 0
+  Vec3 up{0, 1, 0};                       // areas: their height lies as near to it as they can; unit length
   friend bool operator==(const Light&, const Light&) = default;
 };
 
@@ -56,6 +67,9 @@ struct LightSetup {
   std::string environment;  // file of a latitude-longitude HDR picture, or a name of core/light/studio.h;
                             // empty: none
   double environment_scale = 1;
+  // Albedo of a level, endless, diffuse ground under the object at y = -1, which lights it from below by one bounce;
+  // none: no ground. It takes the place of what environment and hemispheres have below the horizon.
+  std::optional<Vec3> ground;
   bool pi_scaled = false;
   friend bool operator==(const LightSetup&, const LightSetup&) = default;
 };

@@ -32,7 +32,8 @@ Vec3 unit_vector(const Node& node) {
 Light read_light(const Node& node) {
   node.expect_object();
   Light light;
-  light.kind = node.at("kind").word(light_kind_named, "\"point\", \"directional\" or \"spot\"");
+  light.kind = node.at("kind").word(light_kind_named,
+                                    "\"point\", \"directional\", \"spot\", \"rectangle\" or \"disc\"");
   switch (light.kind) {
     case LightKind::point:
       node.expect_object({"kind", "position", "color", "intensity"});
@@ -44,6 +45,13 @@ Light read_light(const Node& node) {
       node.expect_object({"kind", "position", "direction", "color", "intensity", "inner_deg", "outer_deg"});
       light.inner_deg = node.at("inner_deg").number();
       light.outer_deg = node.at("outer_deg").number();
+      break;
+    case LightKind::rectangle:
+    case LightKind::disc:
+      node.expect_object({"kind", "position", "direction", "up", "width", "height", "color", "intensity"});
+      light.width = node.at("width").number();
+      light.height = node.at("height").number();
+      if (node.has("up")) light.up = unit_vector(node.at("up"));
       break;
   }
   if (light.kind != LightKind::directional) light.position = three(node.at("position"));
@@ -69,7 +77,7 @@ Hemispheres read_hemispheres(const Node& node) {
 LightSetup parse_lights(std::string_view text, std::string_view file) {
   const JsonDocument json = parse_json_strictly(text, file, most_depth, "a light setup");
   const Node root{json, file, ""};
-  root.expect_object({"schema", "lights", "hemispheres", "environment", "pi_scaled"});
+  root.expect_object({"schema", "lights", "hemispheres", "environment", "ground", "pi_scaled"});
   root.at("schema").expect_text(schema_name);
   LightSetup setup;
   if (root.has("lights")) {
@@ -86,6 +94,10 @@ LightSetup parse_lights(std::string_view text, std::string_view file) {
     setup.environment = environment.at("file").text();
     if (setup.environment.empty()) environment.at("file").fail_type("a file name");
     if (environment.has("scale")) setup.environment_scale = environment.at("scale").number();
+  }
+  if (root.has("ground")) {
+    root.at("ground").expect_object({"albedo"});
+    setup.ground = three(root.at("ground").at("albedo"));
   }
   if (root.has("pi_scaled")) setup.pi_scaled = root.at("pi_scaled").boolean();
   validate(setup, file);
@@ -104,6 +116,10 @@ std::string format_lights(const LightSetup& setup, int indent) {
     if (light.kind == LightKind::spot) {
       members.push_back({"inner_deg", json(light.inner_deg)});
       members.push_back({"outer_deg", json(light.outer_deg)});
+    } else if (is_area(light.kind)) {
+      members.push_back({"up", json_array_of(light.up)});
+      members.push_back({"width", json(light.width)});
+      members.push_back({"height", json(light.height)});
     }
     lights += (i == 0 ? "\n" : ",\n") + std::string(static_cast<std::size_t>(indent) + 4, ' ') +
               json_object(members, -1);
@@ -122,6 +138,9 @@ std::string format_lights(const LightSetup& setup, int indent) {
         {"environment", json_object(std::vector<JsonMember>{{"file", json(setup.environment)},
                                                             {"scale", json(setup.environment_scale)}},
                                     -1)});
+  if (setup.ground)
+    out.push_back(
+        {"ground", json_object(std::vector<JsonMember>{{"albedo", json_array_of(*setup.ground)}}, -1)});
   out.push_back({"pi_scaled", json(setup.pi_scaled)});
   return json_object(out, indent);
 }

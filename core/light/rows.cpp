@@ -4,10 +4,10 @@
 namespace etak {
 namespace {
 
-constexpr std::string_view clear_ball = "light/clear_ball.glsl", false_color = "light/false_color.glsl",
-                           lights = "light/lights.glsl", hemispheres = "light/hemispheres.glsl",
-                           tone = "light/tone.glsl", transfer = "light/transfer.glsl",
-                           transparency = "light/transparency.glsl";
+constexpr std::string_view area = "light/area.glsl", clear_ball = "light/clear_ball.glsl",
+                           false_color = "light/false_color.glsl", lights = "light/lights.glsl",
+                           hemispheres = "light/hemispheres.glsl", tone = "light/tone.glsl",
+                           transfer = "light/transfer.glsl", transparency = "light/transparency.glsl";
 using Kind = LightRowKind;
 
 constexpr LightRow rows[] = {
@@ -18,6 +18,12 @@ constexpr LightRow rows[] = {
     {"spot", "spot light", "TU Graz (named, no formula)", Kind::light,
      "position, direction, color, intensity (W/sr), inner_deg, outer_deg", lights, "spot_share",
      "smoothstep in the cosine between the cones, a step where they are equal"},
+    {"rectangle", "rectangular light", "Heitz, Dupuy, Hill and Neubelt 2016; TU Graz (named)", Kind::light,
+     "position, direction, up, width, height, color, intensity (W/(m^2 sr))", area, "area_specular",
+     "linearly transformed cosines, set right by the model at one direction for each piece"},
+    {"disc", "disc or ellipse as a light", "Heitz, Dupuy, Hill and Neubelt 2016", Kind::light,
+     "position, direction, up, width, height, color, intensity (W/(m^2 sr))", area, "area_specular",
+     "a polygon of 16 sides and the same area"},
     {"hemispheres-diffuse", "two hemispheres, diffuse", "Schueler 2009", Kind::hemispheres,
      "upper, lower (radiance), axis", hemispheres, "hemisphere_diffuse", "exact for Lambert"},
     {"hemispheres-specular", "two hemispheres, specular, corrected",

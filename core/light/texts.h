@@ -5,6 +5,7 @@
 #pragma GCC diagnostic ignored "-Wunused-function"  // no including source uses every function
 // clang-format off
 #include "core/light/lights.glsl"
+#include "core/light/area.glsl"
 #include "core/light/hemispheres.glsl"
 #include "core/light/transparency.glsl"
 #include "core/light/clear_ball.glsl"

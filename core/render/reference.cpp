@@ -16,6 +16,7 @@
 #include "core/base/random.h"
 #include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
+#include "core/light/area_lobes.h"
 #include "core/render/backdrop.h"
 #include "core/render/lobe_density.h"
 
@@ -93,6 +94,8 @@ class Shader {
         specular_values_(seen_specular_values(scene)) {
     if (scene.diffuse != nullptr && !body_is_black(*scene.diffuse, scene.diffuse_values))
       diffuse_ = scene.diffuse;
+    for (const Light& light : scene.lights.lights)
+      if (is_area(light.kind)) areas_.push_back(light);
     if (scene.specular == nullptr) return;
     if (fresnel_ != nullptr) lobe_ = lobe_of(*scene.specular, scene.specular_values);
     bodiless_values_ = without_body(*scene.specular, specular_values_);
@@ -100,6 +103,7 @@ class Shader {
   }
 
   bool has_ambient() const { return environment_ != nullptr || scene_.lights.hemispheres.has_value(); }
+  bool has_areas() const { return !areas_.empty(); }
 
   // f_r of the specular part plus opacity times that of the diffuse part, for directions in the frame of the
   // point.
@@ -125,6 +129,7 @@ class Shader {
   Vec3 from_lights(const Vec3& position, const Mat3& frame, const Vec3& v) const {
     Vec3 sum{};
     for (const Light& light : scene_.lights.lights) {
+      if (is_area(light.kind)) continue;
       Vec3 to_light = light.direction * -1;
       double e = light.intensity * (scene_.lights.pi_scaled ? pi : 1);
       if (light.kind != LightKind::directional) {
@@ -143,13 +148,14 @@ class Shader {
     return sum;
   }
 
-  // A point whose ambient light is sampled: its frame, and the viewer in that frame.
+  // A point whose light is sampled: its place and frame, and the viewer in that frame.
   struct Point {
+    Vec3 position;
     Mat3 frame;
     Vec3 v;
   };
 
-  // The ambient light that the points of a pixel reflect, as means that several independent sets of samples give,
+  // The sampled light that the points of a pixel reflect, as means that several independent sets of samples give,
   // and how many samples each of these sets has.
   static constexpr std::size_t set_count = 8;
   struct Estimates {
@@ -157,36 +163,46 @@ class Shader {
     std::array<double, set_count> count{};
   };
 
-  // Integrates the light of hemispheres and environment over both parts of the model.
+  // Integrates the light of hemispheres and environment over both parts of the model, and that of areas.
   //   samples   of each part for each point
-  Estimates ambient(const std::vector<Point>& points, int samples, std::uint64_t pixel) const {
+  Estimates sampled(const std::vector<Point>& points, int samples, std::uint64_t pixel) const {
     Estimates out;
     const bool by_light = environment_ != nullptr && environment_->contrast() > even_contrast;
     const std::size_t each = std::max<std::size_t>(1, static_cast<std::size_t>(samples) / (by_light ? 2 : 1));
     const std::size_t total = points.size() * each;
-    for (const bool lobe : {true, false}) {
-      if (lobe ? scene_.specular == nullptr : !has_body()) continue;
+    // Adds the mean of sample(point, number of the set, number of the sample in it) to each set.
+    const auto add = [&](double factor, const auto& sample) {
       for (std::size_t set = 0; set < set_count; ++set) {
-        const Lattice own(pixel, 4 * set + (lobe ? 0 : 1), total / set_count),
-            light(pixel, 4 * set + (lobe ? 2 : 3), total / set_count);
         std::size_t taken = 0;
         Vec3 sum{};
-        for (std::size_t t = 0; t < total; ++t) {
+        for (std::size_t t = 0; t < total; ++t)
           // Every set has samples of all points, where there are enough of them.
-          if ((t / points.size() + t) % set_count != set) continue;
-          const Point& point = points[t % points.size()];
-          sum = sum + weighted(point, own_direction(lobe, point.v, own.at(taken)), lobe, by_light);
-          if (by_light) {
-            const auto [a, b] = light.at(taken);
-            sum = sum +
-                  weighted(point, point.frame * turn_.from_map(environment_->sample(a, b)), lobe, by_light);
-          }
-          ++taken;
-        }
+          if ((t / points.size() + t) % set_count == set)
+            sum = sum + sample(points[t % points.size()], set, taken++);
         out.count[set] = static_cast<double>(taken);
-        if (taken > 0) out.mean[set] = out.mean[set] + sum * (1 / out.count[set]);
+        if (taken > 0) out.mean[set] = out.mean[set] + sum * (factor / out.count[set]);
       }
+    };
+    const auto lattice = [&](std::size_t set, std::size_t kind) {
+      return Lattice(pixel, 5 * set + kind, total / set_count);
+    };
+    for (const bool lobe : {true, false}) {
+      if (!has_ambient() || (lobe ? scene_.specular == nullptr : !has_body())) continue;
+      add(scene_.surface.occlusion, [&](const Point& point, std::size_t set, std::size_t i) {
+        Vec3 one =
+            weighted(point, own_direction(lobe, point.v, lattice(set, lobe ? 0 : 1).at(i)), lobe, by_light);
+        if (by_light) {
+          const auto [a, b] = lattice(set, lobe ? 2 : 3).at(i);
+          one =
+              one + weighted(point, point.frame * turn_.from_map(environment_->sample(a, b)), lobe, by_light);
+        }
+        return one;
+      });
     }
+    if (has_areas())
+      add(1, [&](const Point& point, std::size_t set, std::size_t i) {
+        return from_areas(point, lattice(set, 4).at(i));
+      });
     return out;
   }
 
@@ -214,7 +230,34 @@ class Shader {
   }
 
  private:
+  // The light of the areas by one sample: a place on each, and a direction of the lobe.
+  Vec3 from_areas(const Point& point, const std::array<double, 2>& at) const {
+    Vec3 sum{};
+    for (const Light& light : areas_) {
+      const Vec3 way = area_place(light, at[0], at[1]) + point.position * -1;
+      sum = sum + from_area(light, point, point.frame * (way * (1 / std::sqrt(dot(way, way)))));
+      if (density_) sum = sum + from_area(light, point, own_direction(true, point.v, at));
+    }
+    return sum;
+  }
+
+  // What an area gives from direction `l`, over the sum of both densities of from_areas() there.
+  Vec3 from_area(const Light& light, const Point& point, const Vec3& l) const {
+    if (l[2] <= 0) return {};
+    const double density = area_density(light, point.position, out_of(point.frame, l));
+    if (density <= 0) return {};
+    return reflectance(l, point.v) * light.color *
+           (light.intensity * l[2] / (density + (density_ ? lobe_pdf(l, point.v) : 0)));
+  }
+
+  double lobe_pdf(const Vec3& l, const Vec3& v) const {
+    const Vec3 bisector = l + v;
+    const double length = std::sqrt(dot(bisector, bisector));
+    return density_->pdf(std::atan2(std::hypot(bisector[0], bisector[1]), bisector[2])) / (2 * length);
+  }
+
   const Scene& scene_;
+  std::vector<Light> areas_;
   const Environment* environment_;
   EnvironmentTurn turn_;
   const SpectralFresnel* fresnel_;
@@ -254,12 +297,7 @@ class Shader {
   Vec3 weighted(const Point& point, const Vec3& l, bool lobe, bool by_light) const {
     if (l[2] <= 0) return {};
     const Vec3 outside = out_of(point.frame, l);
-    double pdf = l[2] / pi;
-    if (lobe) {
-      const Vec3 bisector = l + point.v;
-      const double length = std::sqrt(dot(bisector, bisector));
-      pdf = density_->pdf(std::atan2(std::hypot(bisector[0], bisector[1]), bisector[2])) / (2 * length);
-    }
+    double pdf = lobe ? lobe_pdf(l, point.v) : l[2] / pi;
     if (by_light) pdf += environment_->pdf(turn_.to_map(outside));
     if (!(pdf > 0)) return {};
     Vec3 radiance{};
@@ -279,7 +317,7 @@ struct PixelSum {
 };
 
 // Adds the mean of the estimates to the colour, and its squared standard error, which is that of means of sets.
-void add_ambient(const Shader::Estimates& estimates, double hits, PixelSum& out) {
+void add_sampled(const Shader::Estimates& estimates, double hits, PixelSum& out) {
   double total = 0, sets = 0, squares = 0;
   for (const double count : estimates.count) {
     total += count;
@@ -311,14 +349,14 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const SceneBackdro
     }
     const Camera::Sight sight = camera.sight(x, y);
     const Mat3 frame = frame_of(sight.normal);
-    points.push_back({frame, frame * sight.viewer});
+    points.push_back({sight.position, frame, frame * sight.viewer});
     const Vec3& v = points.back().v;
-    out.color = out.color + shader.from_lights(sight.position, frame, v) +
+    out.color = out.color + scene.surface.emission + shader.from_lights(sight.position, frame, v) +
                 shader.through(sight, v[2], backdrop.at(x, y));
   }
   out.hits = static_cast<double>(points.size());
-  if (shader.has_ambient() && options.light_samples > 0 && !points.empty())
-    add_ambient(shader.ambient(points, options.light_samples, pixel), out.hits, out);
+  if ((shader.has_ambient() || shader.has_areas()) && options.light_samples > 0 && !points.empty())
+    add_sampled(shader.sampled(points, options.light_samples, pixel), out.hits, out);
   const double rays = double(side) * side;
   out.color = out.color * (1 / rays);
   out.hits /= rays;

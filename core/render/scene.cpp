@@ -224,6 +224,9 @@ void validate(const Scene& scene) {
   require_color(surface.f0, "F0");
   require(surface.gloss >= 0 && surface.gloss <= 1, "gloss", surface.gloss, "0 to 1");
   require(surface.opacity >= 0 && surface.opacity <= 1, "opacity", surface.opacity, "0 to 1");
+  for (const double each : surface.emission)
+    require(each >= 0 && std::isfinite(each), "emission", each, "a finite number of at least 0");
+  require(surface.occlusion >= 0 && surface.occlusion <= 1, "occlusion", surface.occlusion, "0 to 1");
   for (std::size_t c = 0; c < 3; ++c) {
     require(surface.n[c] > 0 && surface.n[c] <= 1e4, "n", surface.n[c], "above 0, at most 1e4");
     require(surface.k[c] >= 0 && surface.k[c] <= 1e6, "k", surface.k[c], "0 to 1e6");

@@ -27,7 +27,9 @@ struct SurfaceValues {
   // Schueler's g: e = 2^(12 g) and alpha = m = sqrt(2 / (e + 2)). Where a perceptual roughness was given,
   // alpha = roughness^2 and g is the nearest one.
   Gloss gloss = 0.75;
-  double opacity = 1;  // alpha of the body
+  double opacity = 1;      // alpha of the body
+  Vec3 emission{0, 0, 0};  // radiance that the surface sends out by itself, to all sides; >= 0
+  double occlusion = 1;    // share of the light of hemispheres and environment that reaches it, [0, 1]
   // For clear bodies: what is left of D65 behind clear_ball_m of them, linear sRGB, above 0. A ball of that
   // diameter bends its environment; where there is none, and on a quad, the background is seen unbent.
   std::optional<Vec3> passing;
@@ -154,6 +156,9 @@ struct Backdrop {
 ///                 b = cross(n, t)
 ///   light         sum of f_r E nl, times pi where `pi_scaled`; hemispheres and environment use diffuse, f0
 ///                 and gloss of `surface`
+///   emission      added to what is reflected; opacity does not reduce it
+///   occlusion     factor of what is reflected of hemispheres and environment (Schueler's visibility); areas and
+///                 discrete lights stay as they are
 ///   opacity < 1   specular + opacity * diffuse + (1 - opacity)(1 - F(nv)) * background, where F is
 ///                 Schueler's of the luminance of surface.f0; specular is never multiplied by opacity. A
 ///                 sphere with `passing` shows instead of the background the environment through itself

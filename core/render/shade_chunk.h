@@ -33,6 +33,7 @@ struct Chunk {
   Lane through;                      // share of the background that is seen through the object
   Triple texel_body, texel_f0;       // from textures: diffuse colour times opacity, and F0
   Lane texel_opacity, texel_gloss;
+  std::array<Lane, 5> area_lobe;  // a, b, d, e and the plain cosine's share: core/light/area_lobes.h
 };
 
 // One light, as the numbers that the loops need.
@@ -126,6 +127,51 @@ ETAK_RENDER_CLONES void aim_point(Chunk& c, const ChunkLight& light) {
     const real along =
         -(c.to_light[0][i] * light.dx + c.to_light[1][i] * light.dy + c.to_light[2][i] * light.dz);
     c.irradiance[i] *= spot_share(along, light.cos_inner, light.cos_outer);
+  }
+}
+
+// The numbers of an area light: its pieces' corners, four to each, in the scene's space.
+struct ChunkArea {
+  std::vector<vec3> corners;
+  vec3 radiance;
+};
+
+void find_area_lobes(Chunk& c, const AreaTable& table, bool textured) {
+  for (std::size_t i = 0; i < c.count; ++i) {
+    const AreaLobe lobe = table.at(double(c.local_viewer[2][i]), textured ? double(c.texel_gloss[i]) : 0.0);
+    const double numbers[] = {lobe.a, lobe.b, lobe.d, lobe.e, lobe.cosine};
+    for (std::size_t k = 0; k < 5; ++k) c.area_lobe[k][i] = real(numbers[k]);
+  }
+}
+
+// Aims at a piece of an area light, for a specular model or for a diffuse one: the direction at which the model is
+// taken, and the irradiance per unit of radiance.
+void aim_area(Chunk& c, const vec3* corners, bool specular) {
+  for (std::size_t i = 0; i < c.whole_blocks; ++i) {
+    c.irradiance[i] = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) c.local_light[axis][i] = axis == 2 ? real(1) : real(0);
+    if (i >= c.count) continue;
+    // From the surface's tangent to the plane of the viewer.
+    const real vx = c.local_viewer[0][i], vy = c.local_viewer[1][i], across = std::sqrt(vx * vx + vy * vy);
+    const real cx = across > real(1e-6) ? vx / across : real(1),
+               cy = across > real(1e-6) ? vy / across : real(0);
+    vec3 p[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const real x = corners[k].x - c.position[0][i], y = corners[k].y - c.position[1][i],
+                 z = corners[k].z - c.position[2][i];
+      const real along = c.tangent_x[i] * x + c.tangent_z[i] * z,
+                 up = c.bitangent[0][i] * x + c.bitangent[1][i] * y + c.bitangent[2][i] * z;
+      p[k] = vec3(cx * along + cy * up, cx * up - cy * along,
+                  c.normal[0][i] * x + c.normal[1][i] * y + c.normal[2][i] * z);
+    }
+    const AreaMatrix m{c.area_lobe[0][i], c.area_lobe[1][i], c.area_lobe[2][i], c.area_lobe[3][i]};
+    const AreaLit by = specular ? area_specular(m, c.area_lobe[4][i], p[0], p[1], p[2], p[3])
+                                : area_diffuse(p[0], p[1], p[2], p[3]);
+    if (!(by.irradiance > 0)) continue;
+    c.irradiance[i] = by.irradiance;
+    c.local_light[0][i] = cx * by.towards.x - cy * by.towards.y;
+    c.local_light[1][i] = cy * by.towards.x + cx * by.towards.y;
+    c.local_light[2][i] = by.towards.z;
   }
 }
 

@@ -18,6 +18,8 @@ struct Shading {
   const Model* diffuse;
   std::vector<double> specular_values;
   std::vector<ChunkLight> lights;
+  std::vector<ChunkArea> areas;
+  AreaTable area_lobes;
   bool with_diffuse;  // whether there is diffuse light, from `diffuse` or from a specular model of kind both
   bool needs_positions = false, needs_viewers;
   bool far = false;  // the viewer is at infinity, and the models have loops for directional lights
@@ -51,6 +53,10 @@ struct Shading {
     far = !camera.perspective() && has_far_respond && !s.textures;
     for (const Model* model : {specular, diffuse}) far = far && (model == nullptr || model->has_far_loop());
     for (const Light& light : s.lights.lights) {
+      if (is_area(light.kind)) {
+        add_area(light);
+        continue;
+      }
       const bool directional = light.kind == LightKind::directional;
       needs_positions |= !directional;
       const double sign = directional ? -1 : 1;
@@ -67,6 +73,20 @@ struct Shading {
                         narrowed({light.color[0] * power, light.color[1] * power, light.color[2] * power}),
                         real(hx / length), real(hy / length), real(hz / length), length / 2});
     }
+    if (!areas.empty() && specular != nullptr)
+      area_lobes = area_table(*specular, specular_values, s.textures && width_follows_texture(*specular));
+  }
+
+  void add_area(const Light& light) {
+    ChunkArea area{{}, narrowed(scaled(light.color, light.intensity))};
+    const AreaAxes axes = area_axes(light);
+    for (const auto& [x, y] : area_cut(light)) {
+      Vec3 corner = light.position;
+      for (std::size_t i = 0; i < 3; ++i) corner[i] += axes.right[i] * x + axes.up[i] * y;
+      area.corners.push_back(narrowed(corner));
+    }
+    areas.push_back(std::move(area));
+    needs_positions = needs_viewers = true;
   }
 };
 
@@ -143,44 +163,10 @@ void look_up_textures(const Shading& shading, Chunk& c) {
   }
 }
 
-void shade(const Shading& shading, Chunk& c) {
+// Adds the light of hemispheres and environment.
+void reflect_ambient(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
-  const std::size_t count = c.whole_blocks;
-  const bool textured = scene.textures != nullptr;
-  if (textured) look_up_textures(shading, c);
-  build_frames(c, !shading.camera.perspective() && !shading.camera.turned());
-  const bool with_specular = shading.specular != nullptr;
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    if (with_specular || shading.clear_ball) c.specular[channel].fill(count, 0);
-    if (shading.with_diffuse) c.diffuse[channel].fill(count, 0);
-  }
-  for (const ChunkLight& light : shading.lights) {
-    const bool far = shading.far && light.directional;
-    if (far)
-      aim_far(c, light);
-    else if (light.directional)
-      aim_directional(c, light.dx, light.dy, light.dz);
-    else
-      aim_point(c, light);
-    const Range reached = lit_blocks(c);
-    if (reached.first == reached.last) continue;
-    const auto respond_to = [&](const Model& model, const std::vector<double>& values) {
-      if (textured)
-        respond_textured(model, values, reached, c);
-      else if (far)
-        respond_far(model, values.data(), light.lh, reached, c);
-      else
-        respond(model, values.data(), reached, c);
-    };
-    if (with_specular) {
-      respond_to(*shading.specular, shading.specular_values);
-      add_light(c, reached, light.color, c.specular);
-    }
-    if (shading.diffuse != nullptr) {
-      respond_to(*shading.diffuse, scene.diffuse_values);
-      add_light(c, reached, light.color, c.diffuse);
-    }
-  }
+  const bool textured = scene.textures != nullptr, with_specular = shading.specular != nullptr;
   const real gloss = real(scene.surface.gloss);
   const SameSurface same{{narrowed(scene.surface.f0), narrowed(scene.surface.diffuse), gloss}};
   const TexturedSurface of_texture{c};
@@ -198,6 +184,68 @@ void shade(const Shading& shading, Chunk& c) {
     else
       add_environment(c, *environment, shading.turn, gloss, same, with_specular, shading.with_diffuse);
   }
+}
+
+void shade(const Shading& shading, Chunk& c) {
+  const Scene& scene = shading.scene;
+  const std::size_t count = c.whole_blocks;
+  const bool textured = scene.textures != nullptr;
+  if (textured) look_up_textures(shading, c);
+  build_frames(c, !shading.camera.perspective() && !shading.camera.turned());
+  const bool with_specular = shading.specular != nullptr;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    c.specular[channel].fill(count, 0);
+    if (shading.with_diffuse) c.diffuse[channel].fill(count, 0);
+  }
+  const bool occluded = scene.surface.occlusion < 1;
+  if (occluded) {
+    reflect_ambient(shading, c);
+    for (Triple* sum : {&c.specular, &c.diffuse})
+      for (Lane& lane : *sum)
+        for (std::size_t i = 0; i < count; ++i) lane[i] *= real(scene.surface.occlusion);
+  }
+  const auto reflect = [&](const Model& model, const std::vector<double>& values, const ChunkLight* far,
+                           const vec3& color, Triple& sum) {
+    const Range reached = lit_blocks(c);
+    if (reached.first == reached.last) return;
+    if (textured)
+      respond_textured(model, values, reached, c);
+    else if (far != nullptr)
+      respond_far(model, values.data(), far->lh, reached, c);
+    else
+      respond(model, values.data(), reached, c);
+    add_light(c, reached, color, sum);
+  };
+  for (const ChunkLight& light : shading.lights) {
+    const bool far = shading.far && light.directional;
+    if (far)
+      aim_far(c, light);
+    else if (light.directional)
+      aim_directional(c, light.dx, light.dy, light.dz);
+    else
+      aim_point(c, light);
+    if (with_specular)
+      reflect(*shading.specular, shading.specular_values, far ? &light : nullptr, light.color, c.specular);
+    if (shading.diffuse != nullptr)
+      reflect(*shading.diffuse, scene.diffuse_values, far ? &light : nullptr, light.color, c.diffuse);
+  }
+  if (with_specular && !shading.areas.empty()) find_area_lobes(c, shading.area_lobes, textured);
+  for (const ChunkArea& area : shading.areas)
+    for (std::size_t at = 0; at < area.corners.size(); at += 4) {
+      if (with_specular) {
+        aim_area(c, &area.corners[at], true);
+        reflect(*shading.specular, shading.specular_values, nullptr, area.radiance, c.specular);
+      }
+      if (shading.diffuse != nullptr) {
+        aim_area(c, &area.corners[at], false);
+        reflect(*shading.diffuse, scene.diffuse_values, nullptr, area.radiance, c.diffuse);
+      }
+    }
+  if (!occluded) reflect_ambient(shading, c);
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    if (const real emitted = real(scene.surface.emission[channel]); emitted > 0)
+      for (std::size_t i = 0; i < count; ++i) c.specular[channel][i] += emitted;
+  const real gloss = real(scene.surface.gloss);
   if (textured)
     see_through_texture(c);
   else if (shading.clear_ball)

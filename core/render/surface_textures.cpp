@@ -114,4 +114,11 @@ const double* TexturedValues::at(const std::array<double, 4>& body, const std::a
   return values_.data();
 }
 
+bool width_follows_texture(const Model& model) {
+  return std::ranges::any_of(model.parameters, [&](const Parameter& each) {
+    return (each.role == Role::gloss || each.role == Role::alpha || each.role == Role::exponent) &&
+           follows_texture(model, each);
+  });
+}
+
 }  // namespace etak

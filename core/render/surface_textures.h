@@ -48,4 +48,7 @@ class TexturedValues {
 /// derive numbers from their parameters, widths do not follow the texture.
 bool follows_texture(const Model& model, const Parameter& parameter);
 
+/// Whether the width of the model's lobe comes from the texture.
+bool width_follows_texture(const Model& model);
+
 }  // namespace etak

@@ -35,6 +35,16 @@ Light spot() {
   return light;
 }
 
+Light area(LightKind kind) {
+  Light light;
+  light.kind = kind;
+  light.position = {1, 1.5, 2.5};
+  light.direction = normalised_direction({-1, -1.5, -2.5});
+  light.width = 2;
+  light.height = 1.2;
+  return light;
+}
+
 Scene scene_with(const Model& model) {
   Scene scene;
   scene.surface.f0 = {0.95, 0.64, 0.54};
@@ -81,6 +91,8 @@ const Feature features[] = {
      [](Scene& s) {
        std::erase_if(s.lights.lights, [](const Light& l) { return l.kind == LightKind::spot; });
      }},
+    {"area", [](Scene& s) { s.lights.lights.push_back(area(LightKind::rectangle)); },
+     [](Scene& s) { std::erase_if(s.lights.lights, [](const Light& l) { return is_area(l.kind); }); }},
     {"hemispheres", [](Scene& s) { s.lights.hemispheres.emplace(); },
      [](Scene& s) { s.lights.hemispheres.reset(); }},
     {"environment", [](Scene& s) { s.lights.environment = "sky.exr"; },

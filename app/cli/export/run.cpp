@@ -56,8 +56,9 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
     out.told.insert(each);
   }
   ExportWishes wishes{std::nullopt, given_gloss(arguments.rough), arguments.opacity,
-                      arguments.compute.axis_average};
+                      arguments.compute.axis_average, {}};
   if (!arguments.diffuse.empty()) wishes.diffuse = typed_share("--diffuse", arguments.diffuse);
+  if (!arguments.emission.empty()) wishes.emission = typed_emission(arguments.emission);
   std::vector<Answer> answers(inputs.size());
   parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) answers[i] = answer(inputs[i], wishes, tables, solver);
@@ -185,6 +186,7 @@ int export_materials(ExportArguments& arguments) {
   (void)given_gloss(arguments.rough);
   in_range("--opacity", arguments.opacity);
   if (!arguments.diffuse.empty()) (void)typed_share("--diffuse", arguments.diffuse);
+  if (!arguments.emission.empty()) (void)typed_emission(arguments.emission);
   if (!arguments.targets.empty() && arguments.to != "values")
     throw Error::at("--target", "--to " + arguments.to + " is one target", "--to values");
   const F0Options options = f0_options(arguments.compute, arguments.library);

@@ -21,7 +21,7 @@ struct ExportArguments {
   std::vector<std::string> wanted;  // of --to, as typed
   std::string to, fit = "clamp", gltf_form = "specular-ior";
   std::vector<std::string> targets;
-  std::string diffuse;  // a colour as typed
+  std::string diffuse, emission;  // colours as typed
   RoughnessArguments rough;
   double opacity = 1;
   unsigned threads = 0;

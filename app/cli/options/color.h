@@ -23,4 +23,7 @@ void add_color_option(Command verb, const char* name, std::string& value, const 
 /// The same of a colour that is a share of light. Throws Error for a channel outside of 0 to 1.
 LinearRgb typed_share(const std::string& place, std::string_view text);
 
+/// The colour of --emission. Throws Error for a channel below 0.
+LinearRgb typed_emission(std::string_view text);
+
 }  // namespace etak::cli

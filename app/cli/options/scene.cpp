@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/options/scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/cli/inputs/inputs.h"
@@ -11,11 +12,13 @@
 #include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
 #include "core/fresnel/fresnel.h"
+#include "core/light/area_lobes.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
 #include "core/material/optics_class.h"
 #include "core/material/quality.h"
 #include "core/render/display.h"
+#include "core/render/ground_bounce.h"
 
 namespace etak::cli {
 namespace {
@@ -248,6 +251,21 @@ void tell_held_gloss(const Scene& scene, SceneNotes& notes) {
   if (!takers.empty()) notes.remarks.push_back(held_text(scene.surface.gloss) + " (" + takers + ")");
 }
 
+namespace {
+
+// What users of area lights ought to know of the model.
+void tell_areas(const Scene& scene, std::vector<std::string>& remarks) {
+  const bool any = std::ranges::any_of(scene.lights.lights, [](const Light& l) { return is_area(l.kind); });
+  if (!any || scene.specular == nullptr) return;
+  const AreaFit fit = area_fit(*scene.specular, scene.specular_values);
+  if (!fit.own)
+    remarks.push_back(std::string(scene.specular->id) + ": no fit of its lobe for area lights; that of " +
+                      std::string(area_family_name(fit.family)) + " at alpha " + number(fit.alpha, 3) +
+                      " takes its place, corrected at one direction for each piece of a light");
+}
+
+}  // namespace
+
 Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   Scene scene;
   std::tie(scene.width, scene.height) = size_of(arguments.size);
@@ -266,6 +284,8 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   if (!arguments.background.empty())
     scene.background = vec(typed_color("--background", arguments.background));
   scene.surface = surface_from(arguments, notes);
+  if (!arguments.emission.empty()) scene.surface.emission = vec(typed_emission(arguments.emission));
+  scene.surface.occlusion = arguments.occlusion;
   choose_models(scene, arguments.model, arguments.diffuse_model, read_set(arguments.set), notes.remarks);
   if (const std::optional<int> count = light_count(arguments.lights)) {
     scene.lights.lights = spread_lights(*count);
@@ -278,6 +298,9 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
     scene.lights = arguments.standard_lights();
   }
   if (!arguments.environment.empty()) scene.lights.environment = arguments.environment;
+  if (!arguments.ground.empty()) scene.lights.ground = vec(typed_share("--ground", arguments.ground));
+  scene.lights = with_ground(scene.lights);
+  tell_areas(scene, notes.remarks);
   validate(scene);
   return scene;
 }
@@ -304,6 +327,11 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
                    "diffuse colour, linear; conductors and semiconductors stay black");
   add_roughness_options(verb, arguments.rough, "of the surface");
   verb.option("--opacity", arguments.opacity, "of the body, 0 to 1").show_default("1, of clear bodies 0");
+  add_color_option(verb, "--emission", arguments.emission,
+                   "radiance that the surface sends out by itself, linear; default black");
+  verb.option("--occlusion", arguments.occlusion,
+              "share of the light of hemispheres and environment that reaches the surface, 0 to 1")
+      .show_default();
   verb.option("--lights", arguments.lights,
               "number of directional lights, a light setup, or sources: three lights and two hemispheres; "
               "default " +
@@ -317,6 +345,8 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
           "without --lights the only light")
       .reads_file()
       .value_name("FILE|NAME");
+  add_color_option(verb, "--ground", arguments.ground,
+                   "albedo of a level ground under the object, which lights it by one bounce; default none");
   verb.option("--size", arguments.size, "of the picture in pixels").value_name("N|WxH").show_default();
   verb.flag("--quad", arguments.quad, "a flat square instead of the sphere");
   verb.flag("--perspective", arguments.perspective, "perspective camera instead of an orthographic one");

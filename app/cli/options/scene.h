@@ -22,6 +22,8 @@ struct SceneArguments {
   std::vector<std::string> set;
   std::string diffuse, background;  // colours as typed
   RoughnessArguments rough;
+  std::string emission, ground;  // colours as typed
+  double occlusion = 1;
   std::optional<double> opacity;  // none: 1, and 0 of clear bodies
   double exposure = 1, field_of_view = 30;
   std::string lights, environment, tone = "plain", transfer = "srgb", size = "512";

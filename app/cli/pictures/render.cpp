@@ -20,6 +20,7 @@
 #include "core/render/cpu_renderer.h"
 #include "core/render/display.h"
 #include "core/render/glsl/gl_runner.h"
+#include "core/render/ground_bounce.h"
 #include "core/render/reference.h"
 
 namespace etak::cli {
@@ -142,16 +143,18 @@ std::string times_json(const std::vector<double>& ms) {
 
 std::string surface_json(const SurfaceValues& s) {
   const auto three = [](const Vec3& v) { return numbers({v[0], v[1], v[2]}); };
-  return json_object({{"f0", three(s.f0)},
-                      {"f82", three(s.f82)},
-                      {"n", three(s.n)},
-                      {"k", three(s.k)},
-                      {"nk_residual", three(s.nk_residual)},
-                      {"diffuse", three(s.diffuse)},
-                      {"gloss", number(double{s.gloss}, 9)},
-                      {"roughness", number(s.gloss.roughness(), 9)},
-                      {"opacity", number(s.opacity, 9)}},
-                     -1);
+  std::vector<JsonMember> out{{"f0", three(s.f0)},
+                              {"f82", three(s.f82)},
+                              {"n", three(s.n)},
+                              {"k", three(s.k)},
+                              {"nk_residual", three(s.nk_residual)},
+                              {"diffuse", three(s.diffuse)},
+                              {"gloss", number(double{s.gloss}, 9)},
+                              {"roughness", number(s.gloss.roughness(), 9)},
+                              {"opacity", number(s.opacity, 9)}};
+  if (s.emission != Vec3{}) out.push_back({"emission", three(s.emission)});
+  if (s.occlusion != 1) out.push_back({"occlusion", number(s.occlusion, 9)});
+  return json_object(out, -1);
 }
 
 std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& notes, unsigned threads) {
@@ -256,8 +259,11 @@ std::shared_ptr<const Environment> environment_of(const Scene& scene, unsigned t
   const std::string& name = scene.lights.environment;
   const double scale = scene.lights.environment_scale;
   if (name.empty()) return nullptr;
-  if (find_studio(name) != nullptr) return studio_environment(name, scale, threads);
-  return std::make_shared<const Environment>(read_image(name), scale, name, threads);
+  std::shared_ptr<const Environment> around =
+      find_studio(name) != nullptr
+          ? studio_environment(name, scale, threads)
+          : std::make_shared<const Environment>(read_image(name), scale, name, threads);
+  return with_ground(scene.lights, std::move(around), threads);
 }
 
 int draw(RenderArguments& arguments) {

@@ -26,6 +26,8 @@ void add_export(CommandLine& line) {
   add_color_option(verb, "--diffuse", arguments->diffuse,
                    "diffuse colour of dielectrics, linear (default black, and clear where the data say so)");
   verb.option("--opacity", arguments->opacity, "0 to 1").show_default();
+  add_color_option(verb, "--emission", arguments->emission,
+                   "radiance that the surface sends out by itself, linear; default black");
   verb.option("--fit", arguments->fit,
               "what becomes of a colour above 1 or below 0: clamp (each channel) or preserve-hue (the "
               "whole colour)")

@@ -24,7 +24,6 @@
 namespace etak::editor {
 namespace {
 
-constexpr std::array kinds{LightKind::point, LightKind::directional, LightKind::spot};
 constexpr QSize icon_size(54, 27);
 constexpr std::array forms{HemisphereForm::corrected, HemisphereForm::wide, HemisphereForm::printed};
 
@@ -137,15 +136,16 @@ Section* LightPanel::make_light() {
   });
   kind_ = new QuietComboBox(tr("Kind of light"), out);
   kind_->setToolTip(
-      tr("point: from a place to all sides; directional: from far away; spot: from a place within a cone"));
-  for (const LightKind each : kinds) kind_->addItem(qt_text(name(each)));
+      tr("point: from a place to all sides; directional: from far away; spot: from a place within a cone; "
+         "rectangle, disc: from an area, lit on the side to which its direction shows"));
+  for (const LightKind each : light_kinds) kind_->addItem(qt_text(name(each)));
   color_ = new ColorField(tr("Light colour"), {1, 1, 1}, out);
   intensity_ = new NumberField(tr("Intensity"), 0, 20, 1, out);
   intensity_->setToolTip(tr(
       "Factor of the light's colour. Of a directional light both together are the irradiance on a plane that "
       "faces it, in W/m\u00b2; of a point or a spot the radiant intensity in W/sr, which is the irradiance "
       "at a "
-      "distance of one radius of the sphere"));
+      "distance of one radius of the sphere; of an area its radiance in W/(m\u00b2 sr)"));
   color_->setToolTip(tr("Linear colour, times the intensity"));
   intensity_->box().setRange(0, 1e6);
   inner_ = new NumberField(tr("Inner cone"), 0, 90, 20, out);
@@ -163,6 +163,14 @@ Section* LightPanel::make_light() {
                   position_, out));
   out->add(tr("Direction"),
            three_boxes(tr("Light direction"), tr("Where the light shines to, of length 1"), direction_, out));
+  width_ = new NumberField(tr("Width of the area"), 0.01, 10, 1, out);
+  height_ = new NumberField(tr("Height of the area"), 0.01, 10, 1, out);
+  for (NumberField* each : {width_, height_}) {
+    each->setToolTip(tr("Side or diameter of the area, in radii of the sphere"));
+    each->box().setRange(1e-6, 1e6);
+  }
+  out->add(tr("Width r"), width_);
+  out->add(tr("Height r"), height_);
   out->add(tr("Inner \u00b0"), inner_);
   out->add(tr("Outer \u00b0"), outer_);
   connect_light();
@@ -175,7 +183,7 @@ void LightPanel::connect_light() {
   });
   connect(kind_, &QComboBox::activated, this, [this](int row_now) {
     edit_light(tr("kind of light"), next_press_id(),
-               [&](Light& light) { light.kind = kinds[static_cast<std::size_t>(row_now)]; });
+               [&](Light& light) { light.kind = light_kinds[static_cast<std::size_t>(row_now)]; });
   });
   connect(color_, &ColorField::edited, this, [this](const LinearRgb& c, int press) {
     edit_light(tr("light colour"), press, [&](Light& light) {
@@ -193,6 +201,8 @@ void LightPanel::connect_light() {
   number(intensity_, tr("intensity"), &Light::intensity);
   number(inner_, tr("inner cone"), &Light::inner_deg);
   number(outer_, tr("outer cone"), &Light::outer_deg);
+  number(width_, tr("width of the area"), &Light::width);
+  number(height_, tr("height of the area"), &Light::height);
   for (std::size_t i = 0; i < 3; ++i) {
     connect(position_[i], &FineSpinBox::edited, this, [this, i](double value, int press) {
       edit_light(tr("place of light"), press, [&](Light& light) { light.position[i] = value; });
@@ -375,10 +385,14 @@ void LightPanel::show_view() {
   color_->show_color(rgb(light.color));
   intensity_->show_value(light.intensity);
   // What the number is of, with its unit: an irradiance or a radiant intensity.
-  const bool far = light.kind == LightKind::directional;
-  intensity_unit_->setText((far ? QStringLiteral("E") : QStringLiteral("I")) +
-                           (lights.pi_scaled ? QStringLiteral("/\u03c0 ") : QStringLiteral(" ")) +
-                           (far ? QStringLiteral("W/m\u00b2") : QStringLiteral("W/sr")));
+  const bool far = light.kind == LightKind::directional, area = is_area(light.kind);
+  intensity_unit_->setText(area ? QStringLiteral("L W/(m\u00b2 sr)")
+                                : (far ? QStringLiteral("E") : QStringLiteral("I")) +
+                                      (lights.pi_scaled ? QStringLiteral("/\u03c0 ") : QStringLiteral(" ")) +
+                                      (far ? QStringLiteral("W/m\u00b2") : QStringLiteral("W/sr")));
+  width_->show_value(light.width);
+  height_->show_value(light.height);
+  for (NumberField* each : {width_, height_}) each->setEnabled(any && area);
   inner_->show_value(light.inner_deg);
   outer_->show_value(light.outer_deg);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -37,7 +37,7 @@ class LightPanel : public PanelScroll {
   QuietComboBox *which_ = nullptr, *kind_ = nullptr, *form_ = nullptr, *environment_ = nullptr;
   ColorField *color_ = nullptr, *upper_ = nullptr, *lower_ = nullptr;
   NumberField *intensity_ = nullptr, *inner_ = nullptr, *outer_ = nullptr, *scale_ = nullptr,
-              *turn_ = nullptr;
+              *width_ = nullptr, *height_ = nullptr, *turn_ = nullptr;
   std::array<FineSpinBox*, 3> position_{}, direction_{}, axis_{};
   QCheckBox *hemispheres_ = nullptr, *pi_scaled_ = nullptr;
   QLabel* intensity_unit_ = nullptr;

@@ -39,7 +39,7 @@ bool shines(const Light& light) {
 
 std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights, bool framed) {
   std::string code;
-  std::vector<const Light*> kinds[3];
+  std::vector<const Light*> kinds[light_kinds.size()];
   for (const Light& light : scene.lights.lights)
     if (with_lights && shines(light)) kinds[static_cast<std::size_t>(light.kind)].push_back(&light);
   const double scale = scene.lights.pi_scaled ? std::numbers::pi : 1;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/light/area_lobes.h"
 #include "core/render/glsl/glsl_glue.h"
 
 namespace etak {
@@ -20,5 +21,16 @@ bool shines(const Light& light);
 ///   framed        whether lit() takes directions in the frame of tangent, bitangent and normal (t, b, n); else it takes
 ///                 the normal and directions in the scene
 std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights, bool framed);
+
+/// Whether the scene has an area light that shines, and one of another kind.
+bool has_areas(const Scene& scene);
+bool has_discrete(const Scene& scene);
+
+/// The same for the area lights, which call area_specular_model(l, v) and area_diffuse_model(l, v) as lit() is called.
+///   lobes     of the specular model; null where there is none
+///   diffuse   whether there is a diffuse model
+///   gloss     the GLSL expression of the texel's gloss, where the lobes have rows for it
+std::string area_loops(GlslGlue& glue, const Scene& scene, const AreaTable* lobes, bool diffuse,
+                       const std::string& gloss, bool framed);
 
 }  // namespace etak

@@ -15,6 +15,7 @@
 #include "core/render/glsl/glsl_source.h"
 #include "core/render/glsl/glsl_transfer.h"
 #include "core/render/glsl/texture_fetch.h"
+#include "core/render/surface_textures.h"
 
 namespace etak {
 namespace {
@@ -47,17 +48,29 @@ class SceneText {
     if (textures_ != nullptr) fetches();
     brdf();
     // A lobe that knows no tangent needs no frame.
-    framed_ = any_light_ && glsl_reads_member(glue_.code() + brdf_, "hu2");
+    framed_ = any_light_ && glsl_reads_member(glue_.code() + specular_ + diffuse_, "hu2");
     light_code_ += light_loops(glue_, scene_, any_light_, framed_);
+    areas();
+    const bool occluded = scene_.surface.occlusion < 1;
+    if (occluded) light_code_ += "  vec3 direct = sum;\n  sum = vec3(0.0);\n";
     hemispheres();
     environment();
-    glue_.line(drawn_to);
-    if (any_light_) {
-      glue_.line((framed_ ? "vec3 lit(vec3 l, vec3 v) {\n  Angles a = angles(l, v);"
-                          : "vec3 lit(vec3 n, vec3 l, vec3 v) {\n  Angles a = angles_about(n, l, v);") +
-                 std::string("\n  if (a.valid <= 0.0) return vec3(0.0);"));
-      glue_.line("  return (" + brdf_ + ") * a.nl;\n}\n");
+    if (occluded) {
+      glue_.uniform("occlusion", scene_.surface.occlusion);
+      light_code_ += "  sum = direct + occlusion * sum;\n";
+      glue_.use("occlusion", "a factor of hemispheres and environment");
     }
+    if (!is_black(scene_.surface.emission)) {
+      glue_.uniform("emission", scene_.surface.emission);
+      light_code_ += "  sum += emission;\n";
+      glue_.use("emission", "a colour");
+    }
+    glue_.line(drawn_to);
+    if (any_light_ && has_discrete(scene_))
+      model_function("lit", specular_ + (specular_.empty() || diffuse_.empty() ? "" : " + ") + diffuse_,
+                     " * a.nl");
+    if (areas_ && !specular_.empty()) model_function("area_specular_model", specular_, "");
+    if (areas_ && !diffuse_.empty()) model_function("area_diffuse_model", diffuse_, "");
     glue_.line("vec3 shade(vec3 p, vec3 n, vec3 v) {");
     if (any_light_ && framed_)
       glue_.line(
@@ -146,7 +159,7 @@ class SceneText {
       return;
     }
     if (specular != nullptr) {
-      brdf_ =
+      specular_ =
           model_call(glue_, "specular", *specular, scene_.specular_values, opacity_, textured_, textures_);
       glue_.use("specular", std::string(specular->id));
     } else {
@@ -155,13 +168,34 @@ class SceneText {
     if (combined) {
       glue_.use("diffuse", "part of " + std::string(specular->id));
     } else if (has_diffuse_) {
-      brdf_ += brdf_.empty() ? "" : " + ";
-      brdf_ += model_call(glue_, "diffuse", *diffuse, scene_.diffuse_values, opacity_, textured_, textures_);
+      diffuse_ =
+          model_call(glue_, "diffuse", *diffuse, scene_.diffuse_values, opacity_, textured_, textures_);
       glue_.use("diffuse", std::string(diffuse->id));
     } else {
       glue_.leave_out("diffuse", diffuse == nullptr ? "no diffuse model" : "K_d is 0");
     }
-    any_light_ = !brdf_.empty();
+    any_light_ = !specular_.empty() || !diffuse_.empty();
+  }
+
+  // Writes a function that evaluates models for a direction of light.
+  void model_function(const std::string& name, const std::string& models, const std::string& times) {
+    glue_.line("vec3 " + name +
+               (framed_ ? "(vec3 l, vec3 v) {\n  Angles a = angles(l, v);"
+                        : "(vec3 n, vec3 l, vec3 v) {\n  Angles a = angles_about(n, l, v);") +
+               std::string("\n  if (a.valid <= 0.0) return vec3(0.0);"));
+    glue_.line("  return (" + models + ")" + times + ";\n}\n");
+  }
+
+  void areas() {
+    areas_ = any_light_ && has_areas(scene_);
+    if (!areas_) return;
+    std::optional<AreaTable> lobes;
+    const bool fetched = textures_ != nullptr && textures_->gloss;
+    if (!specular_.empty())
+      lobes = area_table(*scene_.specular, seen_specular_values(scene_),
+                         fetched || (textured_ && width_follows_texture(*scene_.specular)));
+    light_code_ += area_loops(glue_, scene_, lobes ? &*lobes : nullptr, !diffuse_.empty(),
+                              fetched ? "texel_gloss" : "gloss_here.w", framed_);
   }
 
   void hemispheres() {
@@ -272,7 +306,7 @@ class SceneText {
     if (fetching_) glue_.line("    fetch(p.xy);");
     glue_.line("    vec3 object = shade(p, n, v);");
     transparency();
-    marks();
+    marks_text(glue_, scene_, body_color());
     glue_.line("    color = mix(" + backdrop_name(scene_) + ", object, coverage);\n  }");
     transfer_text(glue_, scene_, display_);
     glue_.line("  pixel_color = vec4(color, coverage);\n}");
@@ -322,47 +356,6 @@ class SceneText {
     for (GlslFeature& feature : fetch.features) glue_.text.features.push_back(std::move(feature));
   }
 
-  void marks() {
-    const std::vector<float>& energy = scene_.mark_energy;
-    const bool zone = scene_.mark_zone;
-    // Only windows can ask for stripes, so the feature is listed for their scenes alone (those with a view).
-    if (!zone && scene_.view) glue_.leave_out("zone stripes", "not asked for");
-    if (energy.empty() && scene_.view) glue_.leave_out("energy stripes", "not asked for");
-    if (!zone && energy.empty()) return;
-    std::string in_zone = "false", in_energy = "false";
-    if (zone) {
-      in_zone = "in_forbidden_zone(" + (textured_ ? std::string("gloss_here.xyz") : zone_color()) + ")";
-      glue_.use("zone stripes", "luminance of F0");
-    }
-    if (!energy.empty() && textured_) {
-      in_energy = "sends_too_much(gloss_here.xyz, " + body_color() + ")";
-      glue_.use("energy stripes", "diffuse colour and F0");
-    } else if (!energy.empty()) {
-      const std::string last = std::to_string(energy.size() - 1),
-                        size = glsl_decimal(double(energy.size() - 1));
-      glue_.uniforms("mark_energy", 1, energy);
-      glue_.line("    float step = clamp(dot(n, v), 0.0, 1.0) * " + size + ";");
-      glue_.line("    int lower = min(int(step), " + last + " - 1);");
-      glue_.line("    float albedo = mix(mark_energy[lower], mark_energy[lower + 1], step - float(lower));");
-      in_energy = "albedo > too_much";
-      glue_.use("energy stripes", "albedo towards the viewer");
-    }
-    const bool anywhere = scene_.view.has_value();
-    glue_.line(std::string("    vec2 stripe_at = floor(gl_FragCoord.xy") +
-               (anywhere ? " - picture_origin" : "") + ");");
-    glue_.line("    object = with_stripes(object, " + in_zone + ", " + in_energy +
-               ", stripe_at.x, picture_size.y - 1.0 - stripe_at.y, " + exposure_name() + ");");
-  }
-
-  // Declares F0 as a uniform of its own, because that of the hemispheres exists only where the setup has
-  // hemispheres.
-  std::string zone_color() {
-    glue_.uniform("zone_f0", scene_.surface.f0);
-    return "zone_f0";
-  }
-
-  std::string exposure_name() const { return scene_.exposure != 1 || scene_.view ? "exposure" : "1.0"; }
-
   // The environment through a clear ball. An atlas has no clear bodies.
   void clear_ball() {
     glue_.uniform("opacity", opacity_);
@@ -404,10 +397,11 @@ class SceneText {
   const bool textured_;
   const double opacity_;
   GlslGlue glue_;
-  std::string brdf_, light_code_;
-  std::string texels_;  // the code that sets the variables of the textures
+  std::string specular_, diffuse_, light_code_;  // the calls of the models, and the sum over the lights
+  std::string texels_;                           // the code that sets the variables of the textures
   std::string body_ = "body_K", mirror_f0_ = "gloss_K", mirror_gloss_ = "gloss";  // names of the values
   bool any_light_;         // whether a discrete light lights a model
+  bool areas_ = false;     // whether an area light does
   bool framed_ = false;    // whether the models read where the tangent lies
   bool mesh_ = false;      // whether the caller's mesh is drawn
   bool fetching_ = false;  // whether a texture of an atlas is read

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/exchange/engine_values.h"
 #include "core/fresnel/fresnel.h"
@@ -47,6 +48,23 @@ const Change* change(const EngineValues& v, std::string_view name) {
 constexpr double diamond_f0 = 0.172;  // (2.417 - 1)^2 / (2.417 + 1)^2
 
 }  // namespace
+
+TEST_CASE("an emission is a field of every target that has one, and a note of the others") {
+  ExportSurface s = dielectric(0.04, {0.5, 0.5, 0.5});
+  for (const EngineTarget& target : engine_targets()) {
+    s.emission = {};
+    const EngineValues dark = engine_values(target, s);
+    s.emission = {4, 2, 0};
+    const EngineValues lit = engine_values(target, s);
+    INFO(target.id);
+    CHECK(lit.fields.size() + lit.notes.size() > dark.fields.size() + dark.notes.size());
+  }
+  const EngineValues gltf = fitted_values("gltf", s);
+  CHECK(field(gltf, "emissiveFactor").values == std::vector<double>{1, 0.5, 0});
+  CHECK(field(gltf, "KHR_materials_emissive_strength.emissiveStrength").values == std::vector<double>{4});
+  s.emission.g = -1;
+  CHECK_THROWS_AS(fitted_values("gltf", s), Error);
+}
 
 TEST_CASE("hex, 8-bit, linear and GLSL are one value in four forms") {
   const ExportSurface s = gold_surface();

@@ -89,6 +89,16 @@ TEST_CASE("bad light setups are refused with file, place and reason") {
       {with_lights(
            R"({"kind": "spot", "position": [0, 0, 2], "direction": [0, 0, -1], "intensity": 1, "inner_deg": 30, "outer_deg": 120})"),
        "/lights/0/outer_deg"},
+      {with_lights(
+           R"({"kind": "disc", "position": [0, 0, 3], "direction": [0, 0, -1], "intensity": 1, "width": 0, "height": 1})"),
+       "/lights/0/width"},
+      {with_lights(
+           R"({"kind": "rectangle", "position": [0, 0, 3], "direction": [0, 0, -1], "intensity": 1, "width": 1})"),
+       "height"},
+      {with_lights(
+           R"({"kind": "rectangle", "position": [0, 0, 3], "direction": [0, 0, -1], "intensity": 1, "width": 1, "height": 1, "up": [0, 0, 0]})"),
+       "length zero"},
+      {R"({"schema": "etak-lights/1", "ground": {"albedo": [0.2, 0.2, 1.5]}})", "/ground/albedo/2"},
       {std::string(100, '['), "nesting"}};
   for (const auto& [text, part] : cases) {
     INFO(text);
@@ -97,6 +107,22 @@ TEST_CASE("bad light setups are refused with file, place and reason") {
     CHECK(what.find(part) != std::string::npos);
     CHECK(what.find('\n') == std::string::npos);
   }
+}
+
+TEST_CASE("area lights and the ground read back as they were written") {
+  LightSetup setup;
+  setup.lights.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Light& light = setup.lights[i];
+    light.kind = i == 0 ? LightKind::rectangle : LightKind::disc;
+    light.position = {1.5, 2, 3};
+    light.direction = normalised_direction({-1, -2, -3});
+    light.up = normalised_direction({1, 1, 0.25});
+    light.width = 0.7;
+    light.height = 1.3;
+  }
+  setup.ground = Vec3{0.3, 0.2, 0.1};
+  CHECK(parse_lights(format_lights(setup), "l.json") == setup);
 }
 
 TEST_CASE("setups made by hand are held to the same") {
@@ -131,11 +157,10 @@ TEST_CASE("an environment takes the place of the hemispheres, none brings none b
 }
 
 TEST_CASE("names of kinds and forms come back") {
-  for (const LightKind kind : {LightKind::point, LightKind::directional, LightKind::spot})
-    CHECK(light_kind_named(name(kind)) == kind);
+  for (const LightKind kind : light_kinds) CHECK(light_kind_named(name(kind)) == kind);
   for (const HemisphereForm form : {HemisphereForm::corrected, HemisphereForm::wide, HemisphereForm::printed})
     CHECK(hemisphere_form_named(name(form)) == form);
   CHECK(!light_kind_named("area"));
   CHECK(!hemisphere_form_named(""));
-  CHECK(light_rows().size() == 19);
+  CHECK(light_rows().size() == 21);
 }
