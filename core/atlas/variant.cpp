@@ -24,6 +24,8 @@ const MaterialVariant* ShadingVariants::find(std::string_view material) const {
 
 std::vector<std::string> shading_defines(std::string_view model, std::string_view filter) {
   std::vector<std::string> out;
+  if (model.find(':') == std::string_view::npos)
+    return {define_of("ETAK_MODEL_", model), define_of("ETAK_FILTER_", filter)};
   std::string_view rest = model.substr(model.find(':') + 1);
   for (const std::string_view prefix : term_prefixes) {
     const std::size_t comma = rest.find(',');

@@ -48,8 +48,8 @@ ShadingVariants parse_choices(std::string_view text, std::string_view file);
 
 /// How a material is shaded, as defines, such as ETAK_LOBE_GGX, ETAK_FRESNEL_F82 and
 /// ETAK_MASKING_SMITH_GGX_HEIGHT (terms of the registry, upper case, '_' for '-') and ETAK_FILTER_TRILINEAR
-/// (how the textures are read).
-///   model    the id of a model, "microfacet:ggx,f82,smith-ggx-height"
+/// (how the textures are read). A model of no terms is one define, ETAK_MODEL_SCHUELER_KSK.
+///   model    the id of a model, "microfacet:ggx,f82,smith-ggx-height" or "schueler-ksk"
 ///   filter   the id of a filter, "trilinear"
 std::vector<std::string> shading_defines(std::string_view model, std::string_view filter);
 

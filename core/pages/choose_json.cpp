@@ -54,7 +54,9 @@ std::string one_choice_json(const Choice& each) {
                       {"fresnel_candidates", candidates_json(each.fresnel_candidates)},
                       {"visibility_candidates", candidates_json(each.visibility_candidates)},
                       {"filter_candidates", candidates_json(each.filter_candidates)},
-                      {"integration_candidates", candidates_json(each.method_candidates)}},
+                      {"integration_candidates", candidates_json(each.method_candidates)},
+                      {"whole_model", json(each.whole_model)},
+                      {"model_candidates", candidates_json(each.model_candidates)}},
                      4);
 }
 

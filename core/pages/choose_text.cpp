@@ -67,11 +67,13 @@ std::string choice_text(const std::vector<Choice>& choices, const CostTable& cos
                     filter_cell("filter") + cell("integration", 18) + cell("worst pixel", 11) +
                     cell("any angle", 9) + "ns, everything -> chosen\n";
   for (const Choice& each : choices)
-    out += cell(each.material, widest) + cell(each.fresnel->id, 18) + cell(each.visibility, 24) +
-           filter_cell(each.textured ? name(each.filter) : "-") +
-           cell(each.method.empty() ? "-" : each.method, 18) + cell(number(each.picture_error, 3), 11) +
-           cell(number(each.fresnel_error, 3), 9) + saving(each.everything_ns, each.chosen_ns) +
-           (each.met ? "" : ", over the budget: the least that can be reached") + "\n";
+    out +=
+        cell(each.material, widest) +
+        (each.whole_model ? cell(each.model, 42) : cell(each.fresnel->id, 18) + cell(each.visibility, 24)) +
+        filter_cell(each.textured ? name(each.filter) : "-") +
+        cell(each.method.empty() ? "-" : each.method, 18) + cell(number(each.picture_error, 3), 11) +
+        cell(number(each.fresnel_error, 3), 9) + saving(each.everything_ns, each.chosen_ns) +
+        (each.met ? "" : ", over the budget: the least that can be reached") + "\n";
   std::string remarks;
   for (const Choice& each : choices)
     if (const std::string why = saving_remark(each); !why.empty())
@@ -84,6 +86,8 @@ std::string choice_text(const std::vector<Choice>& choices, const CostTable& cos
     append(out, "\n  masking      ", looked_at(one.visibility_candidates));
     if (one.textured) append(out, "\n  filter       ", looked_at(one.filter_candidates));
     if (!one.method.empty()) append(out, "\n  integration  ", looked_at(one.method_candidates));
+    append(out, "\n  whole models ",
+           one.model_candidates.empty() ? "none is cheaper" : looked_at(one.model_candidates));
     append(out, "\n");
     if (scene.empty())
       append(out, "\nshader: etak shader ", line_text(one.material), " --model ", one.model, "\n");

@@ -96,6 +96,12 @@ Scene sphere_scene(const Model& model, const SphereMaterial& material, double gl
   return scene;
 }
 
+Scene timed_scene(const Model& model, const SphereMaterial& material) {
+  Scene scene = sphere_scene(model, material, timed_gloss, timed_side);
+  scene.lights.lights = spread_lights(timed_lights);
+  return scene;
+}
+
 std::vector<bool> sphere_pixels(int side) {
   std::vector<bool> out(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
   const double step = 2.2 / side;  // width of a pixel in radii of the sphere, as struct Scene has it

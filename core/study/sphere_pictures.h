@@ -37,6 +37,12 @@ LightSetup sphere_lights();
 /// material has a diffuse colour; a model of both kinds draws the body itself.
 Scene sphere_scene(const Model& model, const SphereMaterial& material, double gloss, int side);
 
+/// The same for measuring times: under three lights all models take the same time, most of it for what they share, and
+/// under so many the lobe has most of it.
+inline constexpr int timed_lights = 48, timed_side = 256;
+inline constexpr double timed_gloss = 0.5;
+Scene timed_scene(const Model& model, const SphereMaterial& material);
+
 /// Which pixels of a picture, row by row, lie at least one pixel inside the rim of the sphere. The rim is not
 /// judged, because its smoothing depends on the renderer and not on the model.
 std::vector<bool> sphere_pixels(int side);

@@ -86,7 +86,10 @@ TEST_CASE("glslangValidator takes the shader of every set of defines") {
     for (const auto& defines : all_defines())
       for (const GlslVersion version : {GlslVersion::core_330, GlslVersion::es_300}) {
         TextureUse textures = use(defines);
-        textures.rotated = count % 2 == 1;
+        for (TextureUse::Place& place : textures.places) place.rotated = count % 2 == 1;
+        // Every third material has its parts at places of their own.
+        for (std::size_t p = 0; p < textures.places.size() && count % 3 == 2; ++p)
+          textures.places[p].region = {0.25 * static_cast<double>(p), 0, 0.25, p == 3 ? 0 : 0.5};
         if (count % 3 == 1) textures.gloss_form = GlossForm::one_minus_roughness;
         const std::string file = folder.file(std::to_string(count++) + ".frag");
         spit(file, glsl_text(plain_scene(model), textures, version).fragment);

@@ -27,7 +27,7 @@ namespace {
 // How many inputs had which result, for the exit status and the closing remark.
 struct Tally {
   std::size_t rows = 0, answered = 0, refused = 0, refused_by_name = 0, failed = 0, nonlinear = 0, other = 0,
-              prose = 0;
+              prose = 0, lines = 0;
 
   Tally& operator+=(const Tally& more) {
     rows += more.rows;
@@ -38,6 +38,7 @@ struct Tally {
     nonlinear += more.nonlinear;
     other += more.other;
     prose += more.prose;
+    lines += more.lines;
     return *this;
   }
 };
@@ -48,6 +49,9 @@ void count(const F0Outcome& outcome, const MaterialInput& input, Tally& tally) {
   tally.prose += outcome.kind == F0Outcome::Kind::prose;
   if (outcome.kind != F0Outcome::Kind::answered) return;
   ++tally.answered;
+  const F0Result& result = outcome.row.result;
+  // Without a flag of the kind, the integration was asked for.
+  tally.lines += result.integration && result.flags.has(Flag::finer_than_grid);
   if (!outcome.row.result.refused()) return;
   ++tally.refused;
   tally.refused_by_name += !input.from_folder;
@@ -147,6 +151,9 @@ std::string counted(std::size_t count, const char* what) {
 }
 
 void print_remarks(const F0Arguments& arguments, std::size_t inputs, const Tally& tally) {
+  if (tally.lines > 0)
+    remark(arguments.output, counted(tally.lines, tally.lines == 1 ? "spectrum" : "spectra") +
+                                 " with lines that the 1 nm sum would miss: integrated exactly");
   if (inputs < 2) return;
   std::string text = counted(tally.answered, "answered");
   if (tally.refused > 0) text += ", " + counted(tally.refused, "of them refused (the flags say why)");

@@ -297,7 +297,7 @@ class Choice(Value):
     filter: str = _said("filter", "Of the texture.")
     model: str = _said("model", "As etak render and etak shader take it.")
     model_values: List[float] = _said("values", "Its parameters.", lambda values: list(map(float, values)))
-    alpha: float = _said("values", "Width of the lobe.", lambda values: float(values[-1]))
+    alpha: float = _said("roughness", "Width of the lobe.", lambda roughness: max(1e-4, float(roughness)**2))
     textured: bool = _said("textured", "Whether it has a texture of more than one colour.")
     defines: List[str] = _said("defines", "Of the specialised shader.", list)
     error: float = _said(

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 
 #include "core/atlas/variant.h"
 #include "core/base/error.h"
@@ -14,6 +12,7 @@
 #include "core/brdf/parameters.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/f0.h"
+#include "core/study/choose/choose_models.h"
 #include "core/study/choose/choose_pictures.h"
 
 namespace etak {
@@ -21,9 +20,6 @@ namespace {
 
 constexpr std::string_view full_visibility = "smith-ggx-height";
 constexpr std::size_t most_f0 = 16;  // colours of F0 of a texture that are judged at every angle
-// Costs within this factor count as equal, because two runs of measure_costs() differ by as much. Of forms of
-// equal cost the one with the least mean error is taken.
-constexpr double same_cost = 1.15;
 constexpr int textures_of_pair = 2;  // that the filters of the cost table read
 
 // The term of the registry that has the form's formula.
@@ -49,23 +45,6 @@ std::vector<double> model_numbers(const Model& model, const FresnelValues& value
     for (std::size_t c = 0; c < 3; ++c) out.push_back(values[c][i]);
   out.push_back(alpha);
   return out;
-}
-
-// F over angle of a surface that is known by its F0 alone.
-FresnelTruth colour_truth(const Vec3& f0) {
-  FresnelTruth truth;
-  constexpr int steps = 360;
-  for (int i = 0; i <= steps; ++i) {
-    const double angle = std::numbers::pi / 2 * i / steps;
-    truth.cosine.push_back(i == steps ? 0 : std::cos(angle));
-    truth.weight.push_back(std::sin(angle) * truth.cosine.back());
-    truth.rgb.push_back(f_of_colour(f0, truth.cosine.back()));
-  }
-  const double sum = std::accumulate(truth.weight.begin(), truth.weight.end(), 0.0);
-  for (double& weight : truth.weight) weight /= sum;
-  truth.f0 = f0;
-  truth.f82 = f_of_colour(f0, f82_cosine);
-  return truth;
 }
 
 PictureDifference angle_difference(ErrorUnit unit, const FresnelTruth& truth, const FresnelForm& form,
@@ -367,6 +346,40 @@ void describe_model(const Judge& judge, const FresnelValues& values, Choice& out
   out.defines = shading_defines(out.model, name(out.filter));
 }
 
+// Takes a whole model in the place of the chosen form of F and masking, where one is cheaper and within the limit.
+void take_whole_model(const Judge& judge, Look look, const FresnelStep& fresnel, const CostTable& costs,
+                      Choice& out) {
+  const SurfaceTexel& mean = out.texel;
+  look.f0 = mean.f0;
+  if (judge.subject().dataset) look.index = fresnel_form("index")->fit(judge.truth());
+  const auto error_of = [&](const Model& model) -> std::optional<double> {
+    if (takes_index(model) && !judge.subject().dataset) return std::nullopt;
+    look.model = &model;
+    const double seen = judge.picture(look).worst;
+    const FresnelForm* form = form_of(model);
+    return form == nullptr
+               ? seen
+               : std::max(seen, judge.at_any_angle(*form, form->fit(judge.truth())).worst + out.method_error);
+  };
+  // A masking term is measured with a lobe of Schlick's F.
+  const double frame = judge.cost("fresnel/", out.fresnel->id) + judge.cost("visibility/", out.visibility) -
+                       judge.cost("fresnel/", "schlick");
+  ModelStep step = choose_model(costs, frame, fresnel.limit, error_of);
+  out.model_candidates = std::move(step.candidates);
+  if (step.model == nullptr) return;
+  look.model = step.model;
+  const PictureDifference seen = judge.picture(look);
+  out.whole_model = true;
+  out.model = step.model->id;
+  out.model_values = whole_model_numbers(*step.model, mean.f0, look.index, mean);
+  out.defines = shading_defines(out.model, name(out.filter));
+  out.picture_error = seen.worst;
+  out.picture_mean = seen.mean;
+  out.fresnel_error = step.error;
+  out.chosen_ns +=
+      step.cost_ns - judge.cost("fresnel/", out.fresnel->id) - judge.cost("visibility/", out.visibility);
+}
+
 double evaluation_cost(const Judge& judge, std::string_view form, std::string_view visibility,
                        TextureFilter filter, int textures) {
   return judge.cost("fresnel/", form) + judge.cost("visibility/", visibility) +
@@ -422,6 +435,7 @@ Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const 
   out.everything_ns =
       evaluation_cost(judge, judge.full_form(), full_visibility, full_filter(subject), textures_of_pair);
   out.chosen_ns = evaluation_cost(judge, out.fresnel->id, out.visibility, out.filter, out.textures);
+  if (out.met) take_whole_model(judge, chosen, fresnel, costs, out);
   return out;
 }
 

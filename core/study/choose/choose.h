@@ -85,7 +85,8 @@ struct Choice {
   std::string visibility;  // term of the registry
   std::string method;      // spectral integration of F0; empty: no spectrum
   TextureFilter filter = TextureFilter::constant;
-  std::string model;                 // "microfacet:ggx,f82,smith-ggx-height"
+  std::string model;         // "microfacet:ggx,f82,smith-ggx-height"
+  bool whole_model = false;  // `model` is one of models(), and has no part of `fresnel` and `visibility`
   std::vector<double> model_values;  // of one texel: the mean where the material has a texture
   double alpha = 0;
   SurfaceTexel texel;                               // the texel that model_values are of
@@ -100,6 +101,8 @@ struct Choice {
   double everything_ns = 0, chosen_ns = 0;              // Fresnel, visibility and filter, for one evaluation
   double everything_solve_ns = 0, chosen_solve_ns = 0;  // F0, for one spectrum
   std::vector<Candidate> fresnel_candidates, visibility_candidates, filter_candidates, method_candidates;
+  std::vector<Candidate>
+      model_candidates;              // whole models that are cheaper than the chosen form of F and masking
   std::vector<std::string> defines;  // of the specialised shader: shading_defines() in core/atlas/variant.h
 };
 
@@ -118,7 +121,9 @@ void validate(const ChooseOptions& options);
 /// holds for all choices together, for F at any angle and for every pixel of rendered spheres (of textures:
 /// at levels of detail from twice magnified to eight mips down). The errors that the choices have alone are
 /// added, so that none is taken because it makes up for another. Everything reads both textures of a pair; a
-/// texture of one colour need not be read. Throws Error for data without a colour or
+/// texture of one colour need not be read. In the end the whole models that take F0 and one width are tried in the
+/// place of GGX, F and masking: Schueler's techniques, and lobes of other distributions; their F is judged at any
+/// angle too, but where it is hidden in the lobe (Optimized). Throws Error for data without a colour or
 /// without n and k. Where no form of F stays within the budget, the closest one is chosen and `met` is false;
 /// the other choices then stay within the error of that form.
 Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs);

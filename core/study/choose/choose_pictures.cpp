@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/fresnel/fresnel.h"
 #include "core/material/f0.h"
 #include "core/render/reference.h"
+#include "core/study/choose/choose_models.h"
 
 namespace etak {
 namespace {
@@ -43,6 +46,22 @@ Vec3 f_of_colour(const Vec3& f0, double cosine) {
   Vec3 out{};
   for (std::size_t c = 0; c < 3; ++c) out[c] = form.value(&f0[c], cosine);
   return out;
+}
+
+FresnelTruth colour_truth(const Vec3& f0) {
+  FresnelTruth truth;
+  constexpr int steps = 360;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = std::numbers::pi / 2 * i / steps;
+    truth.cosine.push_back(i == steps ? 0 : std::cos(angle));
+    truth.weight.push_back(std::sin(angle) * truth.cosine.back());
+    truth.rgb.push_back(f_of_colour(f0, truth.cosine.back()));
+  }
+  const double sum = std::accumulate(truth.weight.begin(), truth.weight.end(), 0.0);
+  for (double& weight : truth.weight) weight /= sum;
+  truth.f0 = f0;
+  truth.f82 = f_of_colour(f0, f82_cosine);
+  return truth;
 }
 
 ChoosePictures::ChoosePictures(const ChooseSubject& subject)
@@ -132,6 +151,7 @@ const std::vector<Vec3>& ChoosePictures::fresnel_of(const Look& look) const {
 
 std::vector<Vec3> ChoosePictures::draw(const Look& look) const {
   const Pixels& all = pixels_of(look.filter);
+  if (look.model != nullptr) return draw_model(all, look);
   const std::vector<Vec3>& fresnel = fresnel_of(look);
   const Term& masking = *find_term(TermKind::visibility, look.visibility);
   std::vector<Vec3> out;
@@ -144,6 +164,25 @@ std::vector<Vec3> ChoosePictures::draw(const Look& look) const {
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += lights_[sample.light].irradiance * sample.nl *
                   (specular * fresnel[i][c] + pixel.texel.diffuse[c] / std::numbers::pi);
+    }
+  }
+  return out;
+}
+
+std::vector<Vec3> ChoosePictures::draw_model(const Pixels& all, const Look& look) const {
+  std::vector<Vec3> out;
+  out.reserve(all.pixels.size());
+  for (const Pixel& pixel : all.pixels) {
+    Vec3& sum = out.emplace_back(Vec3{0, 0, 0});
+    const std::vector<double> numbers =
+        whole_model_numbers(*look.model, f0_varies_ ? pixel.texel.f0 : look.f0, look.index, pixel.texel);
+    for (std::size_t i = pixel.first_sample; i < pixel.first_sample + pixel.sample_count; ++i) {
+      const LightSample& sample = all.samples[i];
+      double specular[3];
+      look.model->f64(sample.directions, numbers.data(), specular);
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += lights_[sample.light].irradiance * sample.nl *
+                  (specular[c] + pixel.texel.diffuse[c] / std::numbers::pi);
     }
   }
   return out;

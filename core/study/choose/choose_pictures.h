@@ -23,6 +23,10 @@ struct Look {
   FresnelValues values{};
   std::string_view visibility = "smith-ggx-height";
   TextureFilter filter = TextureFilter::trilinear;
+  const Model* model =
+      nullptr;            // a whole model in the place of form and masking (choose_models.h); null: none
+  Vec3 f0{};              // of that model, where F0 comes from no texture
+  FresnelValues index{};  // the same: n and k, of a spectrum
 };
 
 /// Draws the spheres of a subject.
@@ -64,6 +68,7 @@ class ChoosePictures {
     std::vector<Vec3> f;  // one for each of Pixels::samples
   };
   const Pixels& pixels_of(TextureFilter filter) const;
+  std::vector<Vec3> draw_model(const Pixels& all, const Look& look) const;
   const std::vector<Vec3>& fresnel_of(const Look& look) const;
 
   const ChooseSubject& subject_;
@@ -76,6 +81,8 @@ class ChoosePictures {
 
 /// F where F0 alone is known, for each channel: exact below the forbidden zone, Schlick's form above it.
 Vec3 f_of_colour(const Vec3& f0, double cosine);
+/// The same over angle.
+FresnelTruth colour_truth(const Vec3& f0);
 
 /// The errors over all pixels, or over all angles.
 struct PictureDifference {

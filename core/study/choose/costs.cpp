@@ -11,10 +11,12 @@
 #include "core/image/files/png.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
-#include "core/study/choose/choose.h"
+#include "core/render/glsl/gl_runner.h"
+#include "core/study/choose/choose_models.h"
 #include "core/study/error_time.h"
 #include "core/study/made_pages.h"
 #include "core/study/measure.h"
+#include "core/study/sphere_pictures.h"
 
 namespace etak {
 namespace {
@@ -97,6 +99,27 @@ void add_textures(std::vector<TimedCase>& cases) {
                      }});
 }
 
+// Frames on a graphics card by OpenGL's own clock, in ns a pixel; or why there are none.
+std::string add_gpu_frames(CostTable& costs) {
+  constexpr int frames = 100;
+  std::string why;
+  auto gl = GlRunner::open(why);
+  if (!gl) return "not measured on a GPU: no OpenGL";
+  const std::string& renderer = gl->info().renderer;
+  if (gl->info().software) return "not measured on a GPU: " + renderer + " draws on the CPU";
+  const SphereMaterial gold = sphere_material(MaterialLibrary::builtin(), "gold", {0, 0, 0});
+  std::map<std::string, double> ns;
+  for (const Model* model : whole_models()) {
+    const auto time = gl->frame_time(timed_scene(*model, gold), nullptr, frames);
+    if (!time.gpu_median_ms) return "not measured on a GPU: " + renderer + " has no clock for queries";
+    ns["gpu/" + std::string(model->id)] = 1e6 * *time.gpu_median_ms / (timed_side * timed_side);
+  }
+  costs.ns.insert(ns.begin(), ns.end());
+  return "gpu/ is ns a pixel of " + std::to_string(timed_side) + " x " + std::to_string(timed_side) +
+         " under " + std::to_string(timed_lights) + " lights on " + renderer +
+         ", GL_TIME_ELAPSED, median of " + std::to_string(frames) + " frames";
+}
+
 }  // namespace
 
 CostTable measure_costs(std::string_view header,
@@ -136,6 +159,11 @@ CostTable measure_costs(std::string_view header,
                        batch->run(*model, {0.9, 0.8, 0.4, 0.2});
                      }});
   }
+  for (const Model* model : whole_models())
+    cases.push_back({"model/" + std::string(model->id), count, [model, batch] {
+                       constexpr FresnelValues index{{{0.2, 3, 0, 0}, {0.4, 2.4, 0, 0}, {1.4, 1.8, 0, 0}}};
+                       batch->run(*model, whole_model_numbers(*model, {0.9, 0.8, 0.4}, index, {{}, {}, 0.4}));
+                     }});
   for (const Method method : all_methods) {
     F0Options options;
     options.method = method;
@@ -160,6 +188,7 @@ CostTable measure_costs(std::string_view header,
   // by_f0 chooses one of two other forms, so that a time below theirs is noise as well.
   costs.ns["fresnel/by_f0"] =
       std::max({costs.ns["fresnel/by_f0"], costs.ns["fresnel/from_f0"], costs.ns["fresnel/schlick"]});
+  costs.header += "; " + add_gpu_frames(costs);
   return costs;
 }
 

@@ -21,8 +21,6 @@ namespace etak {
 namespace {
 
 constexpr int full_side = 256, quick_side = 128, rays = 4;
-constexpr int timed_side = 512;
-constexpr double timed_gloss = 0.5;
 constexpr const char* base_model = "schueler-full";
 
 struct Subject {
@@ -203,7 +201,8 @@ ErrorTimeTable empty_table(const char* id, std::string title) {
                    {"mean_de", "mean \u0394E", "\u0394E2000"},
                    {"max_de", "largest \u0394E", "\u0394E2000"},
                    {"mean_flip", "mean FLIP", ""}};
-  table.time_unit = "ms per frame of 512 x 512";
+  table.time_unit = "ms per frame of " + std::to_string(timed_side) + " x " + std::to_string(timed_side) +
+                    " under " + std::to_string(timed_lights) + " lights";
   table.base = base_model;
   return table;
 }
@@ -232,8 +231,7 @@ std::vector<TimedCase> timed_frames(const Gallery& gallery) {
   std::vector<TimedCase> cases;
   for (const Model* model : gallery.models())
     cases.push_back({std::string(model->id), 1,
-                     [scene = sphere_scene(*model, gallery.first(), timed_gloss, timed_side),
-                      codes = std::make_shared<Image8>()] {
+                     [scene = timed_scene(*model, gallery.first()), codes = std::make_shared<Image8>()] {
                        render_cpu_codes(scene, nullptr, 1, *codes);
                        keep(codes->values.data());
                      }});
@@ -292,7 +290,7 @@ void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTim
   std::string why;
   auto gl = GlRunner::open(why);
   if (!gl) {
-    family.notes.push_back("No OpenGL here: " + why + ".");
+    family.notes.push_back("No OpenGL here: " + why + ". Not measured on a GPU.");
     return;
   }
   const GlRunner::Info& info = gl->info();
@@ -301,13 +299,13 @@ void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTim
                             (info.software ? " (a software rasteriser: no graphics card)" : ""));
   const auto errors = gallery.errors(1, [&](const Scene& scene) { return gl->render(scene); });
   const std::size_t count = gallery.models().size();
-  const int rounds = options.full ? 15 : 5, frames = options.full ? 9 : 3;
+  // A graphics card is so fast that only many frames tell models apart: at least 100 of each.
+  const int rounds = options.full ? 15 : 5, frames = !info.software ? 20 : options.full ? 9 : 3;
   std::vector<std::vector<double>> ms(count);
   bool by_queries = !info.software;
   for (int round = 0; round < rounds; ++round)
     for (std::size_t m = 0; m < count; ++m) {
-      const auto time = gl->frame_time(
-          sphere_scene(*gallery.models()[m], gallery.first(), timed_gloss, timed_side), nullptr, frames);
+      const auto time = gl->frame_time(timed_scene(*gallery.models()[m], gallery.first()), nullptr, frames);
       by_queries = by_queries && time.gpu_median_ms.has_value();
       ms[m].push_back(by_queries ? *time.gpu_median_ms : time.median_ms);
     }
@@ -324,13 +322,14 @@ void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTim
   set_ratios(table);
   set_verdicts(table);
   family.tables.push_back(table);
-  family.notes.push_back(std::string("OpenGL frames are timed ") +
-                         (by_queries      ? "by timer queries"
-                          : info.software ? "from call to finish, for the timer queries of a software "
-                                            "rasteriser end before it has drawn"
-                                          : "from call to finish: there are no timer queries here") +
-                         "; medians of " + std::to_string(frames) + " frames in " + std::to_string(rounds) +
-                         " rounds.");
+  family.notes.push_back(
+      std::string("OpenGL frames are timed ") +
+      (by_queries      ? "by timer queries"
+       : info.software ? "from call to finish, for the timer queries of a software "
+                         "rasteriser end before it has drawn"
+                       : "from call to finish: there are no timer queries here") +
+      "; medians of " + std::to_string(frames) + " frames in " + std::to_string(rounds) + " rounds." +
+      (info.software ? " Not measured on a GPU: " + info.renderer + " draws on the CPU." : ""));
 }
 
 std::string advice_of(const ErrorTimeFamily& family) {
@@ -370,8 +369,10 @@ ErrorTimeFamily image_family(const ReportOptions& options) {
          "exact F, and F0 is all it needs", "etak choose glass_bk7"}};
     family.notes.push_back(
         "CPU frames: single precision to sRGB codes, on one thread. Lights and viewer are far away, so that "
-        "F is computed once per light and "
-        "frames differ by their lobes.");
+        "F is computed once per light and frames differ by their lobes; with " +
+        std::to_string(timed_lights) +
+        " lights these have most of the time. It is processor time of the thread, with quartiles over "
+        "rounds.");
   }
   family.notes.push_back(
       "FLIP at 67 pixels per degree, of the sRGB codes; mean over the judged pixels, those outside black.");

@@ -372,13 +372,13 @@ ErrorTimeFamily quadrature_family(const ReportOptions&) {
   family.advice =
       "Keep the 1 nm sum: its error of " + number(row("1nm").errors[0], 2) + " moves " +
       (moved == 0 ? "no 8-bit code" : "the 8-bit codes of " + number(moved, 3) + " materials") +
-      " over the library, and a page takes longer to be read; use auto or exact for data finer than a "
-      "nanometre.";
+      " over the library, and a page takes longer to be read; where lines finer than a nanometre would "
+      "get lost in it, it gives way to exact by itself.";
   const auto stiff = std::make_shared<const std::vector<Sample>>(stiff_samples());
   family.tables = {std::move(library), stiff_table(all, stiff, family.timed)};
   family.picks = {{"a colour from n and k", "library", "1nm", "no 8-bit code of the library needs more"},
                   {"data finer than a nanometre", "stiff", "exact", "right where fixed steps fail",
-                   "etak f0 FILE --integration exact"}};
+                   "etak f0 FILE --method exact"}};
   family.notes = {
       "Against the 1 nm sum instead of the exact integral, over the same datasets: " + against_1nm(samples) +
           ".",

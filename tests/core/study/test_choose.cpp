@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <utility>
 
 #include "core/atlas/variant.h"
@@ -295,6 +296,41 @@ TEST_CASE(
   CHECK(contains(saving_remark(even), "nothing is saved within 1 ΔE2000: from_f0 is needed"));
   CHECK(contains(choice_text({even}, shipped_costs()), "savings:\n  wall: nothing is saved"));
   CHECK(saving_remark(chosen("gold")).empty());
+}
+
+TEST_CASE("Schueler's techniques and lobes of other distributions are weighed beside GGX, F and masking") {
+  // Germanium needs exact F, than which every whole model is cheaper.
+  const Choice germanium = chosen("germanium");
+  std::set<std::string> tried;
+  for (const Candidate& each : germanium.model_candidates) {
+    tried.insert(each.id);
+    CHECK(each.within == (each.error <= 1));
+    CHECK(each.cost_ns == shipped_costs().of("model/" + each.id));
+  }
+  for (const char* id : {"schueler-full", "schueler-simplified", "schueler-ksk", "schueler-optimized",
+                         "schueler-optimized-bounded", "beckmann-schlick", "phong-schlick"})
+    CHECK((tried.contains(id) || germanium.whole_model));
+  // What costs nothing is taken as soon as its error is within the budget, and not before.
+  CostTable costs = shipped_costs();
+  costs.ns["model/schueler-ksk"] = 0.01;
+  const auto material = MaterialLibrary::builtin().find("gold");
+  const ChooseSubject gold = library_subject(*material, material->preferred_dataset(), 0.75);
+  const Choice small = choose(gold, {1, ErrorUnit::delta_e}, costs);
+  CHECK(!small.whole_model);
+  REQUIRE(small.model_candidates.front().id == "schueler-ksk");
+  const double error = small.model_candidates.front().error;
+  CHECK(error > 1);
+  const Choice large = choose(gold, {error + 0.01, ErrorUnit::delta_e}, costs);
+  CHECK(large.whole_model);
+  CHECK(large.model == "schueler-ksk");
+  CHECK(large.model_values.size() == find_model(large.model)->value_count());
+  CHECK(large.model_values.back() == 0.75);
+  CHECK(largest_error(large) <= large.budget);
+  CHECK(large.chosen_ns == Approx(0.01));
+  CHECK(large.defines.front() == "ETAK_MODEL_SCHUELER_KSK");
+  const ShadingVariants read = parse_choices(choice_json({large}, costs), "c");
+  CHECK(read.find("gold")->model == large.model);
+  CHECK(contains(choice_text({large}, costs), "schueler-ksk"));
 }
 
 TEST_CASE("found 1.17: the shipped costs have a row of its own for each level of PNG") {

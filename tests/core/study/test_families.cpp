@@ -90,7 +90,9 @@ TEST_CASE("quadrature: errors shrink with the step, auto keeps its bound, stiff 
   CHECK(error(stiff, "exact", "max") < 1e-8);
   CHECK(error(stiff, "auto-1e-05", "max") < 1e-5);
   CHECK(error(stiff, "auto-0.001", "max") < 1e-3);
-  CHECK(error(stiff, "1nm", "max") > 0.1);
+  CHECK(error(stiff, "1nm", "max") <
+        1e-3);  // it gives way to the exact integral where its steps would miss something
+  CHECK(error(stiff, "5nm", "max") > 0.1);
   CHECK(error(stiff, "20nm", "max") > 0.1);
   const auto note = [&](const char* id) {
     for (const ErrorTimeRow& row : stiff.rows)
