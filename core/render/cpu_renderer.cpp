@@ -10,6 +10,7 @@
 #include "core/base/clones.h"
 #include "core/base/parallel.h"
 #include "core/color/luminance.h"
+#include "core/render/ambient/ambient.h"
 #include "core/render/backdrop.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"
