@@ -36,3 +36,17 @@ vec3 octahedral_place(vec3 d) {
   real over_z = (real(0.5) - abs(x)) * (z < 0 ? real(-1) : real(1));
   return vec3((d.y < 0 ? over_x : x) + real(0.5), (d.y < 0 ? over_z : z) + real(0.5), real(0));
 }
+
+// The direction of a place on that square; beyond an edge the map is mirrored at the middle of the edge.
+vec3 octahedral_direction(real u, real v) {
+  real x = 2 * u - 1;
+  real z = 2 * v - 1;
+  real over_x = abs(x) > 1 ? (x < 0 ? real(-2) : real(2)) - x : x;
+  real far_z = abs(x) > 1 ? -z : z;
+  real over_z = abs(far_z) > 1 ? (far_z < 0 ? real(-2) : real(2)) - far_z : far_z;
+  real far_x = abs(far_z) > 1 ? -over_x : over_x;
+  real y = 1 - abs(far_x) - abs(over_z);
+  real down_x = (1 - abs(over_z)) * (far_x < 0 ? real(-1) : real(1));
+  real down_z = (1 - abs(far_x)) * (over_z < 0 ? real(-1) : real(1));
+  return vec3(y < 0 ? down_x : far_x, y, y < 0 ? down_z : over_z);
+}

@@ -227,37 +227,21 @@ Image lobe_map(const Image& map, double gloss, double widest, unsigned threads) 
       });
 }
 
-// The direction of a place on an octahedral map; places beyond its edges are those of the map as it is continued.
-Vec3 octahedral_direction(double u, double v) {
-  double x = 2 * u - 1, z = 2 * v - 1;
-  // Beyond an edge the map is mirrored at the middle of that edge.
-  if (std::abs(x) > 1) {
-    x = (x < 0 ? -2 : 2) - x;
-    z = -z;
-  }
-  if (std::abs(z) > 1) {
-    z = (z < 0 ? -2 : 2) - z;
-    x = -x;
-  }
-  const double y = 1 - std::abs(x) - std::abs(z);
-  if (y >= 0) return {x, y, z};
-  return {(1 - std::abs(z)) * (x < 0 ? -1 : 1), y, (1 - std::abs(x)) * (z < 0 ? -1 : 1)};
-}
-
+// All levels below each other, as octahedral maps.
 Image stacked(const std::vector<Environment::Level>& levels, unsigned threads) {
   constexpr int tile = Environment::level_tile, inner = tile - 2;
   Image out(tile, tile * level_count, 3);
-  parallel_chunks(static_cast<std::size_t>(out.height), threads, 8,
-                  [&](std::size_t begin, std::size_t end, unsigned) {
-                    for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
-                      const Image& map = levels[static_cast<std::size_t>(row / tile)].map;
-                      for (int x = 0; x < tile; ++x) {
-                        const Vec3 d = octahedral_direction((x - 0.5) / inner, (row % tile - 0.5) / inner);
-                        const Vec3 v = look_up(map, place_of(d));
-                        for (std::size_t c = 0; c < 3; ++c) out.at(x, row)[c] = static_cast<float>(v[c]);
-                      }
-                    }
-                  });
+  parallel_chunks(
+      static_cast<std::size_t>(out.height), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
+          const Image& map = levels[static_cast<std::size_t>(row / tile)].map;
+          for (int x = 0; x < tile; ++x) {
+            const auto d = ambient_text::octahedral_direction((x - 0.5) / inner, (row % tile - 0.5) / inner);
+            const Vec3 v = look_up(map, place_of({d.x, d.y, d.z}));
+            for (std::size_t c = 0; c < 3; ++c) out.at(x, row)[c] = static_cast<float>(v[c]);
+          }
+        }
+      });
   return out;
 }
 
