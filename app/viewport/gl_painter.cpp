@@ -29,9 +29,9 @@ struct GlPainter::State {
   std::map<std::string, std::unique_ptr<GlProgram>> programs;  // by the text of their fragment shader
 
   std::shared_ptr<const Environment> environment;
-  std::unique_ptr<GlTexture> irradiance;
-  std::vector<std::unique_ptr<GlTexture>> levels;
-  std::unique_ptr<GlTexture> sharpest;  // the picture itself; made when a backdrop shows it first
+  std::unique_ptr<GlTexture> irradiance, levels;
+  std::map<const Image*, std::unique_ptr<GlTexture>>
+      backdrops;  // maps of it; made when a backdrop shows them first
   std::shared_ptr<const OcioShader> display;
   std::vector<std::unique_ptr<GlTexture>> tables;
 
@@ -57,13 +57,12 @@ struct GlPainter::State {
   void take(const std::shared_ptr<const Environment>& wanted) {
     if (wanted == environment) return;
     irradiance.reset();
-    levels.clear();
-    sharpest.reset();
+    levels.reset();
+    backdrops.clear();
     environment = wanted;
     if (!environment) return;
     irradiance = std::make_unique<GlTexture>(gl, environment->irradiance_map(), true);
-    for (const Environment::Level& level : environment->levels())
-      levels.push_back(std::make_unique<GlTexture>(gl, level.map, true));
+    levels = std::make_unique<GlTexture>(gl, environment->level_stack(), true);
   }
 
   void take(const std::shared_ptr<const OcioShader>& wanted) {
@@ -76,17 +75,16 @@ struct GlPainter::State {
   }
 
   GlTexture& backdrop_texture(const Image* map) {
-    for (std::size_t i = 0; i < levels.size(); ++i)
-      if (&environment->levels()[i].map == map) return *levels[i];
-    if (!sharpest) sharpest = std::make_unique<GlTexture>(gl, *map, true);
-    return *sharpest;
+    std::unique_ptr<GlTexture>& out = backdrops[map];
+    if (!out) out = std::make_unique<GlTexture>(gl, *map, true);
+    return *out;
   }
 
   void bind_textures(GlProgram& program, const Scene& scene) {
     std::optional<Environment::Blurred> behind;
     if (environment && scene.backdrop.environment) {
       behind = environment->blurred(scene.backdrop.blur);
-      (void)backdrop_texture(behind->sharp);
+      for (const Image* map : {behind->sharp, behind->dull}) (void)backdrop_texture(map);
     }
     // The pair is made before the other textures are bound, because making a texture binds it to unit 0.
     const Pair* pair = scene.textures ? &take_textures(scene.textures) : nullptr;
@@ -96,11 +94,8 @@ struct GlPainter::State {
       program.set_sampler(sampler, unit++);
     };
     if (environment) {
-      const auto [sharp, share] = environment->between(scene.surface.gloss);
       bind(*irradiance, "environment_irradiance");
-      bind(*levels[sharp], "environment_sharp");
-      bind(*levels[sharp + 1], "environment_dull");
-      program.set({"environment_share", 1, 1, false, {static_cast<float>(share)}});
+      bind(*levels, "environment_levels");
     }
     if (behind) {
       bind(backdrop_texture(behind->sharp), "backdrop_sharp");

@@ -82,11 +82,12 @@ std::optional<LightKind> light_kind_named(std::string_view text) {
 }
 
 std::string_view name(HemisphereForm form) {
-  return form == HemisphereForm::corrected ? "corrected" : form == HemisphereForm::wide ? "wide" : "printed";
+  constexpr std::array names{"auto", "model", "corrected", "wide", "printed"};
+  return names[static_cast<std::size_t>(form)];
 }
 
 std::optional<HemisphereForm> hemisphere_form_named(std::string_view text) {
-  for (const HemisphereForm form : {HemisphereForm::corrected, HemisphereForm::wide, HemisphereForm::printed})
+  for (const HemisphereForm form : hemisphere_forms)
     if (text == name(form)) return form;
   return std::nullopt;
 }

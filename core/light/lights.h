@@ -44,9 +44,16 @@ struct Light {
   friend bool operator==(const Light&, const Light&) = default;
 };
 
-/// The formula of the specular light of two hemispheres (core/light/hemispheres.glsl): Schueler's, corrected;
-/// the same with a wider transition between the hemispheres; or as printed.
-enum class HemisphereForm { corrected, wide, printed };
+/// The formula of the specular light of two hemispheres.
+///   automatic   Schueler's for Schueler's models, else that of the model
+///   model       the model's own albedo and lobe (core/light/ambient.glsl)
+///   corrected   Schueler's, corrected (core/light/hemispheres.glsl)
+///   wide        the same with a wider transition between the hemispheres
+///   printed     as printed
+enum class HemisphereForm { automatic, model, corrected, wide, printed };
+inline constexpr std::array hemisphere_forms{HemisphereForm::automatic, HemisphereForm::model,
+                                             HemisphereForm::corrected, HemisphereForm::wide,
+                                             HemisphereForm::printed};
 std::string_view name(HemisphereForm form);
 std::optional<HemisphereForm> hemisphere_form_named(std::string_view text);
 
@@ -55,7 +62,7 @@ std::optional<HemisphereForm> hemisphere_form_named(std::string_view text);
 struct Hemispheres {
   Vec3 upper{0.6, 0.7, 0.8}, lower{0.25, 0.22, 0.2};  // radiance, linear RGB, >= 0
   Vec3 axis{0, 1, 0};                                 // unit length
-  HemisphereForm form = HemisphereForm::corrected;
+  HemisphereForm form = HemisphereForm::automatic;
   friend bool operator==(const Hemispheres&, const Hemispheres&) = default;
 };
 

@@ -68,7 +68,8 @@ Hemispheres read_hemispheres(const Node& node) {
   out.lower = three(node.at("lower"));
   if (node.has("axis")) out.axis = unit_vector(node.at("axis"));
   if (node.has("form"))
-    out.form = node.at("form").word(hemisphere_form_named, "\"corrected\", \"wide\" or \"printed\"");
+    out.form = node.at("form").word(hemisphere_form_named,
+                                    "\"auto\", \"model\", \"corrected\", \"wide\" or \"printed\"");
   return out;
 }
 

@@ -4,10 +4,11 @@
 namespace etak {
 namespace {
 
-constexpr std::string_view area = "light/area.glsl", clear_ball = "light/clear_ball.glsl",
-                           false_color = "light/false_color.glsl", lights = "light/lights.glsl",
-                           hemispheres = "light/hemispheres.glsl", tone = "light/tone.glsl",
-                           transfer = "light/transfer.glsl", transparency = "light/transparency.glsl";
+constexpr std::string_view ambient = "light/ambient.glsl", area = "light/area.glsl",
+                           clear_ball = "light/clear_ball.glsl", false_color = "light/false_color.glsl",
+                           lights = "light/lights.glsl", hemispheres = "light/hemispheres.glsl",
+                           tone = "light/tone.glsl", transfer = "light/transfer.glsl",
+                           transparency = "light/transparency.glsl";
 using Kind = LightRowKind;
 
 constexpr LightRow rows[] = {
@@ -29,7 +30,10 @@ constexpr LightRow rows[] = {
     {"hemispheres-specular", "two hemispheres, specular, corrected",
      "Schueler 2009, S1 to S3 of MODELS.md mended", Kind::hemispheres, "upper, lower (radiance), axis; K, g",
      hemispheres, "hemisphere_specular",
-     "uniform-field error up to 0.19 for g >= 0.25; transition of width 1 - g", true},
+     "default of Schueler's models; uniform-field error up to 0.22 for g >= 0.25; transition of width 1 - g"},
+    {"hemispheres-specular-model", "two hemispheres, specular, by the model",
+     "etak: albedo and lobe of the model", Kind::hemispheres, "upper, lower (radiance), axis", ambient,
+     "probe_share", "of any model: its own albedo, and the share that its lobe has of each", true},
     {"hemispheres-specular-wide", "two hemispheres, specular, wide transition",
      "etak: width min(1, 1.8 2^(-6 g))", Kind::hemispheres, "upper, lower (radiance), axis; K, g",
      hemispheres, "hemisphere_specular_wide",
@@ -38,7 +42,9 @@ constexpr LightRow rows[] = {
      Kind::hemispheres, "upper, lower (radiance), axis; K, g", hemispheres, "hemisphere_specular_printed",
      "negative below the horizon, F too high by up to 0.99 on rough surfaces"},
     {"environment", "lat-long image", "Schueler 2009, possible extensions", Kind::environment, "file, scale",
-     "", "", "diffuse irradiance and specular levels per gloss; error stated against the sampled reference"},
+     "", "",
+     "irradiance times the body's albedo; albedo of the model times round lobes that stand for its own: "
+     "errors in ambient_error"},
     {"plain", "no tone curve", "", Kind::tone, "", "", "",
      "18 % grey is code 118; what is above 1 is clipped", true},
     {"neutral", "Khronos PBR Neutral", "Khronos 2024, PBR Neutral Tone Mapper", Kind::tone, "", tone,

@@ -7,6 +7,7 @@
 #include "core/light/lights.glsl"
 #include "core/light/area.glsl"
 #include "core/light/hemispheres.glsl"
+#include "core/light/ambient.glsl"
 #include "core/light/transparency.glsl"
 #include "core/light/clear_ball.glsl"
 #include "core/light/ground.glsl"

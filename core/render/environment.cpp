@@ -16,12 +16,22 @@
 #include "core/base/text/text.h"
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
+#include "core/render/ambient/round_lobe.h"
 
 namespace etak {
 namespace {
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"  // not all functions of the text are used
+namespace ambient_text {
+#include "core/math/real_f64.h"
+
+#include "core/light/ambient.glsl"
+}  // namespace ambient_text
+#pragma GCC diagnostic pop
+
 using std::numbers::pi;
-constexpr int level_count = 9;
+constexpr int level_count = lobe_levels;
 // Prefiltering reads a map of at most this many columns: finer detail is smaller than the narrowest lobe
 // (e = 4096, about 5 degrees wide).
 constexpr int prefilter_width = 512;
@@ -175,15 +185,13 @@ Image summed(const Image& seen, int width, double least, unsigned threads, Weigh
   return out;
 }
 
-// The lobe of exponent e for a viewer in the direction of the normal. With the half vector distribution nh^e
-// and Kelemen's 1 / lh^2, f nl is nh^(e - 2) nl up to a factor, and nh^2 = (1 + nl) / 2. The lobe is a table
-// over the cosines that matter, linear between 2048 steps.
+// round_lobe() as a table over the cosines that matter, linear between 2048 steps.
 class LobeWeight {
  public:
   explicit LobeWeight(double e) : least_(std::max(0.0, 2 * std::exp2(std::log2(1e-4) * 2 / e) - 1)) {
     for (int i = 0; i <= steps; ++i) {
       const double c = least_ + (1 - least_) * i / steps;
-      values_.push_back(std::exp2((e / 2 - 1) * std::log2((1 + c) / 2)) * c);
+      values_.push_back(round_lobe(e, c));
     }
     values_.push_back(values_.back());
   }
@@ -219,6 +227,24 @@ Image lobe_map(const Image& map, double gloss, double widest, unsigned threads) 
       });
 }
 
+// All levels below each other, as octahedral maps.
+Image stacked(const std::vector<Environment::Level>& levels, unsigned threads) {
+  constexpr int tile = Environment::level_tile, inner = tile - 2;
+  Image out(tile, tile * level_count, 3);
+  parallel_chunks(
+      static_cast<std::size_t>(out.height), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
+          const Image& map = levels[static_cast<std::size_t>(row / tile)].map;
+          for (int x = 0; x < tile; ++x) {
+            const auto d = ambient_text::octahedral_direction((x - 0.5) / inner, (row % tile - 0.5) / inner);
+            const Vec3 v = look_up(map, place_of({d.x, d.y, d.z}));
+            for (std::size_t c = 0; c < 3; ++c) out.at(x, row)[c] = static_cast<float>(v[c]);
+          }
+        }
+      });
+  return out;
+}
+
 }  // namespace
 
 Environment::Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads,
@@ -252,9 +278,10 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
       at_most(seen, 128), 64, 0, threads, [](double c) { return c; },
       [](const Vec3&, const Vec3& sum, double) { return sum; });
   for (int i = 0; i < level_count; ++i) {
-    const double gloss = 1 - double(i) / (level_count - 1);
+    const double gloss = gloss_of_level(i);
     levels_.push_back({gloss, lobe_map(seen, gloss, quick ? widest_quick_map : widest_lobe_map, threads)});
   }
+  stack_ = stacked(levels_, threads);
 
   // Every pixel gets a little of the mean as weight, because bilinear look-up finds light in black pixels
   // beside bright ones.
@@ -285,21 +312,30 @@ Vec3 Environment::irradiance(const Vec3& n) const {
   return look_up(irradiance_, place_of(n));
 }
 
-Environment::Between Environment::between(double gloss) const {
-  const double at = (1 - std::clamp(gloss, 0.0, 1.0)) * (level_count - 1);
-  const auto first = std::min(static_cast<std::size_t>(at), levels_.size() - 2);
-  return {first, at - static_cast<double>(first)};
+Vec3 Environment::at_level(const Vec3& r, double level) const {
+  const auto first = std::min(static_cast<int>(std::max(level, 0.0)), level_count - 2);
+  const double share = std::clamp(level - first, 0.0, 1.0);
+  const ambient_text::vec3 place = ambient_text::octahedral_place({r[0], r[1], r[2]});
+  // As look_up(), of two levels at once.
+  const double x = place.x * (level_tile - 2) + 0.5, y = place.y * (level_tile - 2) + 0.5;
+  const int x0 = std::clamp(static_cast<int>(x), 0, level_tile - 2),
+            y0 = std::clamp(static_cast<int>(y), 0, level_tile - 2);
+  const double fx = x - x0, fy = y - y0;
+  Vec3 out{};
+  for (int i = 0; i < 2; ++i) {
+    const double weight = i == 0 ? 1 - share : share;
+    const int top = (first + i) * level_tile + y0;
+    const auto a = stack_.at(x0, top), b = stack_.at(x0 + 1, top), c = stack_.at(x0, top + 1),
+               d = stack_.at(x0 + 1, top + 1);
+    for (std::size_t k = 0; k < 3; ++k)
+      out[k] += weight * ((double{a[k]} * (1 - fx) + double{b[k]} * fx) * (1 - fy) +
+                          (double{c[k]} * (1 - fx) + double{d[k]} * fx) * fy);
+  }
+  return out;
 }
 
 Vec3 Environment::specular(const Vec3& r, double gloss) const {
-  const auto [first, share] = between(gloss);
-  const MapPlace place = place_of(r);
-  const Vec3 sharp = look_up(levels_[first].map, place);
-  if (share == 0) return sharp;
-  const Vec3 dull = look_up(levels_[first + 1].map, place);
-  Vec3 out{};
-  for (std::size_t i = 0; i < 3; ++i) out[i] = sharp[i] * (1 - share) + dull[i] * share;
-  return out;
+  return at_level(r, level_of_gloss(std::clamp(gloss, 0.0, 1.0)));
 }
 
 Environment::Blurred Environment::blurred(double blur) const {

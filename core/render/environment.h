@@ -21,10 +21,9 @@ namespace etak {
 ///
 /// The two prefiltered forms are made once. They are pictures that a GPU can use as textures:
 ///   irradiance   a small map; each of its pixels is a sum over all pixels of the environment
-///   specular     one map for each of nine levels of gloss: the mean radiance that is seen through Schueler's
-///                lobe of that gloss, with viewer and normal along the mirror direction. The lobe thus stays
-///                round at grazing view, which is the usual split into lobe and Fresnel term; ambient_error()
-///                of reference.h measures the error of that
+///   specular     one map for each of nine levels: the mean radiance that is seen through a round lobe
+///                (ambient/round_lobe.h). A few of them together stand for the lobe of a model
+///                (ambient/ambient.h); ambient_error() of reference.h measures the error of that
 class Environment {
  public:
   /// How finely the prefiltered forms are made: quick ones blur details below 6 degrees, and take a hundredth
@@ -44,8 +43,12 @@ class Environment {
   /// The irradiance on a plane with normal `n`; pi for an environment of radiance 1 everywhere.
   Vec3 irradiance(const Vec3& n) const;
 
-  /// The radiance that is seen through the lobe of `gloss` around `r`, linear in gloss between the levels; 1
-  /// for an environment of radiance 1 everywhere.
+  /// The radiance that is seen through the round lobe of `level` around `r`, linear between the whole levels;
+  /// 1 for an environment of radiance 1 everywhere.
+  ///   r       of any length but 0
+  ///   level   [0, lobe_levels - 1]
+  Vec3 at_level(const Vec3& r, double level) const;
+  /// The same with the level of a gloss.
   Vec3 specular(const Vec3& r, double gloss) const;
 
   /// One prefiltered map, for the lobe of its gloss.
@@ -53,14 +56,11 @@ class Environment {
     double gloss;
     Image map;
   };
-  /// The two levels that a gloss lies between.
-  ///   sharp   index of the level of the higher gloss; the other one follows it
-  ///   share   weight of the level of the lower gloss, [0, 1]
-  struct Between {
-    std::size_t sharp;
-    double share;
-  };
-  Between between(double gloss) const;
+  /// All levels in one picture, below each other, as a texture for shaders that mix several of them: octahedral maps
+  /// (octahedral_place() of core/light/ambient.glsl), because these take no trigonometry, each with a border of one
+  /// texel that continues it.
+  const Image& level_stack() const { return stack_; }
+  static constexpr int level_tile = 160;  // columns and rows of a level with its border
 
   /// Two maps between which lies the environment as a backdrop shows it, and the weight of the duller one.
   /// They live as long as the environment.
@@ -90,6 +90,7 @@ class Environment {
   Image smaller_map_;  // empty where the map has no more than sharpest_width columns
   Image irradiance_;
   std::vector<Level> levels_;
+  Image stack_;
   // Cumulated luminance over the rows, and in each row over its columns; the last sums are 1.
   std::vector<double> row_sums_, column_sums_;
   double contrast_ = 1;

@@ -26,6 +26,7 @@ struct Shading {
   double f0_luminance;
   bool in_zone = false;
   bool clear_ball;
+  std::shared_ptr<const AmbientTable> ambient;  // null where no light comes from all around
 
   Shading(const Scene& s, const Environment* e)
       : scene(s),
@@ -45,6 +46,7 @@ struct Shading {
       needs_positions = true;
     }
     f0_luminance = etak::luminance_of(s.surface.f0);
+    if (s.lights.hemispheres || e != nullptr) ambient = ambient_table(s, held_by_textures(s));
     needs_viewers = s.lights.hemispheres.has_value() || e != nullptr || camera.turned();
     const Vec3& viewer = camera.axes()[2];
     const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;
@@ -172,17 +174,20 @@ void reflect_ambient(const Shading& shading, Chunk& c) {
   const TexturedSurface of_texture{c};
   if (scene.lights.hemispheres) {
     const Hemispheres& h = *scene.lights.hemispheres;
-    const ChunkHemispheres narrow{h.form, narrowed(h.axis), narrowed(h.lower), narrowed(h.upper)};
+    const ChunkHemispheres narrow{hemisphere_form(scene), narrowed(h.axis), narrowed(h.lower),
+                                  narrowed(h.upper)};
     if (textured)
-      add_hemispheres(c, narrow, of_texture, with_specular, shading.with_diffuse);
+      add_hemispheres(c, narrow, *shading.ambient, of_texture, with_specular, shading.with_diffuse);
     else
-      add_hemispheres(c, narrow, same, with_specular, shading.with_diffuse);
+      add_hemispheres(c, narrow, *shading.ambient, same, with_specular, shading.with_diffuse);
   }
   if (const Environment* environment = shading.environment) {
     if (textured)
-      add_environment(c, *environment, shading.turn, gloss, of_texture, with_specular, shading.with_diffuse);
+      add_environment(c, *environment, shading.turn, *shading.ambient, of_texture, with_specular,
+                      shading.with_diffuse);
     else
-      add_environment(c, *environment, shading.turn, gloss, same, with_specular, shading.with_diffuse);
+      add_environment(c, *environment, shading.turn, *shading.ambient, same, with_specular,
+                      shading.with_diffuse);
   }
 }
 

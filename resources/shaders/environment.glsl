@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light from all around, prefiltered: see class Environment (core/render/environment.h). Lat-long maps whose
-// first row looks up.
+// first row looks up, and octahedral ones.
 uniform sampler2D environment_irradiance;
-uniform sampler2D environment_sharp;  // the levels on both sides of the surface's gloss,
-uniform sampler2D environment_dull;
-uniform float environment_share;      // and the share of the duller one
+uniform sampler2D environment_levels;  // nine octahedral maps below each other, from the sharpest to the dullest
 
 // With atan for both angles: acos loses its digits towards the poles.
 vec3 lat_long(sampler2D map, vec3 d) {
@@ -19,9 +17,15 @@ vec3 environment_diffuse(vec3 n) {
   return lat_long(environment_irradiance, n) * 0.3183098861837907;
 }
 
-// Radiance through the gloss lobe around r.
-vec3 environment_specular(vec3 r) {
-  return mix(lat_long(environment_sharp, r), lat_long(environment_dull, r), environment_share);
+// Radiance through the round lobe of a level around r, of any length; linear between the levels. Each map is a tile of the
+// texture with a border of one texel.
+vec3 environment_specular(vec3 r, float level) {
+  const float tile = 160.0;
+  float first = clamp(floor(level), 0.0, 7.0);
+  vec2 at = (octahedral_place(r).xy * (tile - 2.0) + 1.0) / tile;
+  at.y = (at.y + first) / 9.0;
+  return mix(texture(environment_levels, at).xyz, texture(environment_levels, at + vec2(0.0, 1.0 / 9.0)).xyz,
+             clamp(level - first, 0.0, 1.0));
 }
 
 // What is seen behind the object: two maps between which the blur lies, and the share of the duller one.

@@ -132,7 +132,8 @@ std::vector<Variant> variants(const Model& model) {
   // Nothing lights the object: the model is not in the text at all.
   out.push_back({"no-light", bare_scene(model)});
   out.back().scene.lights.lights.clear();
-  for (const HemisphereForm form : {HemisphereForm::wide, HemisphereForm::printed}) {
+  for (const HemisphereForm form :
+       {HemisphereForm::model, HemisphereForm::corrected, HemisphereForm::wide, HemisphereForm::printed}) {
     out.push_back({"hemispheres-" + std::string(name(form)), full_scene(model)});
     out.back().scene.lights.hemispheres->form = form;
   }

@@ -91,7 +91,9 @@ TEST_CASE("no light: no loop and no model") {
   SECTION("hemispheres alone light it without the model's text") {
     scene.lights.hemispheres.emplace();
     const std::string lit = glsl_text(scene).fragment;
-    CHECK(contains(lit, "hemisphere_specular"));
+    CHECK(contains(lit, "probe_share"));
+    scene.lights.hemispheres->form = HemisphereForm::corrected;
+    CHECK(contains(glsl_text(scene).fragment, "hemisphere_specular"));
     CHECK_FALSE(contains(lit, "brdf_"));
   }
 }

@@ -17,6 +17,7 @@
 #include "core/material/names.h"
 #include "core/material/optics_class.h"
 #include "core/material/quality.h"
+#include "core/render/ambient/ambient.h"
 #include "core/render/display.h"
 #include "core/render/ground_bounce.h"
 
@@ -246,8 +247,10 @@ void tell_held_gloss(const Scene& scene, SceneNotes& notes) {
     if (model != nullptr)
       for (const Parameter& each : model->parameters)
         if (each.role == Role::gloss) add("model " + std::string(model->id));
-  if (scene.lights.hemispheres) add("the light of the hemispheres");
-  if (!scene.lights.environment.empty()) add("the light of the environment");
+  if (scene.lights.hemispheres && hemisphere_form(scene) != HemisphereForm::model)
+    add("the light of the hemispheres");
+  // The sharpest level of an environment is that of gloss 1.
+  if (!scene.lights.environment.empty() && scene.surface.gloss >= 1) add("the light of the environment");
   if (!takers.empty()) notes.remarks.push_back(held_text(scene.surface.gloss) + " (" + takers + ")");
 }
 
@@ -309,6 +312,8 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   scene.lights = with_ground(scene.lights);
   tell_areas(scene, notes.remarks);
   validate(scene);
+  if (std::string text = ambient_remark(scene, held_by_textures(scene)); !text.empty())
+    notes.remarks.push_back(std::move(text));
   return scene;
 }
 

@@ -17,6 +17,7 @@
 #include "core/base/text/text.h"
 #include "core/color/ocio.h"
 #include "core/image/image_io.h"
+#include "core/render/ambient/accuracy.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/display.h"
 #include "core/render/glsl/gl_runner.h"
@@ -181,6 +182,13 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
                                 {"worst", number(stats.ambient->worst, 6)},
                                 {"standard_error", number(stats.ambient->standard_error, 6)}},
                                -1)});
+  if (const auto off = scene.specular != nullptr && !scene.lights.environment.empty()
+                           ? ambient_accuracy(scene.specular->id, scene.surface.gloss)
+                           : std::nullopt)
+    out.push_back({"ambient_error", json_object({{"mean", number(off->mean, 3)},
+                                                 {"picture", number(off->picture, 3)},
+                                                 {"p99", number(off->p99, 3)}},
+                                                -1)});
   out.push_back({"remarks", json_array_of(notes.remarks)});
   return json_object(out, 0) + '\n';
 }

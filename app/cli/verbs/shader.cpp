@@ -113,10 +113,12 @@ void add_shader(CommandLine& line) {
   Command verb = line.verb("shader", "the shader that draws a material: what it needs and nothing else");
   add_scene_options(verb, arguments->scene);
   verb.option("--hemispheres", arguments->hemispheres,
-              "light of two hemispheres; FORM: corrected (the default), wide or printed")
+              "light of two hemispheres; FORM: auto (Schüler's corrected one for his models, else that of "
+              "the model), "
+              "model, corrected, wide or printed")
       .may_lack_value()
-      .show_default("corrected")
-      .one_of({"corrected", "wide", "printed"})
+      .show_default("auto")
+      .one_of({"auto", "model", "corrected", "wide", "printed"})
       .value_name("FORM");
   verb.option("--choice", arguments->choice,
               "a material of what etak choose found: its Fresnel form, masking and numbers")

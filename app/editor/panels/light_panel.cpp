@@ -25,7 +25,6 @@ namespace etak::editor {
 namespace {
 
 constexpr QSize icon_size(54, 27);
-constexpr std::array forms{HemisphereForm::corrected, HemisphereForm::wide, HemisphereForm::printed};
 
 LinearRgb rgb(const Vec3& v) {
   return {v[0], v[1], v[2]};
@@ -223,10 +222,13 @@ Section* LightPanel::make_hemispheres() {
   upper_ = new ColorField(tr("Upper hemisphere"), {0.6, 0.7, 0.8}, out);
   lower_ = new ColorField(tr("Lower hemisphere"), {0.25, 0.22, 0.2}, out);
   form_ = new QuietComboBox(tr("Form of the hemispheres' formula"), out);
-  form_->setToolTip(tr(
-      "How the two colours are mixed over the mirrored directions: corrected; wide, with a transition that "
-      "is never a step; printed, as the article has it, white on rough surfaces"));
-  for (const HemisphereForm each : forms) form_->addItem(qt_text(name(each)));
+  form_->setToolTip(
+      tr("How the two colours are mixed: model, by the chosen model's own reflectance and lobe; Schüler's "
+         "corrected; wide, "
+         "with a transition that is never a step; printed, as the article has it, white on rough surfaces; "
+         "auto: Schüler's "
+         "for his own models, else model"));
+  for (const HemisphereForm each : hemisphere_forms) form_->addItem(qt_text(name(each)));
   hemispheres_->setToolTip(tr("Light from two half spheres, one colour each"));
   upper_->setToolTip(tr("Linear colour of the half sphere around the axis: its radiance in W/(m\u00b2 sr)"));
   lower_->setToolTip(
@@ -265,7 +267,7 @@ Section* LightPanel::make_hemispheres() {
     });
   connect(form_, &QComboBox::activated, this, [edit, this](int row) {
     edit(tr("hemispheres' form"), next_press_id(),
-         [&](Hemispheres& h) { h.form = forms[static_cast<std::size_t>(row)]; });
+         [&](Hemispheres& h) { h.form = hemisphere_forms[static_cast<std::size_t>(row)]; });
   });
   return out;
 }

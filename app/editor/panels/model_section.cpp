@@ -8,6 +8,7 @@
 #include "app/editor/panels/model_list.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
+#include "core/render/ambient/accuracy.h"
 
 namespace etak::editor {
 namespace {
@@ -122,21 +123,27 @@ void ModelSection::show_material(const ProjectMaterial* m) {
     shown_specular_ = specular;
     shown_diffuse_ = diffuse;
     rebuild();
-    QString about;
+    QString& about = told_;
+    about.clear();
     if (specular != nullptr) {
       about = tr("%1. %2. In files and on the command line: %3")
                   .arg(qt_text(specular->title), qt_text(specular->source), qt_text(specular->id));
       if (!specular->claims.reciprocal) about += tr(". Not reciprocal");
       if (!specular->claims.conserves_energy) about += tr(". May give off more light than it takes");
     }
-    about_->setText(about);
   }
+  about_->setText(told_);
   if (m == nullptr) return;
   SurfaceValues surface = document_.surface_of(*m);
   try {
     const FittedModels fitted = fit_models(specular, diffuse, m->parameters, surface);
     for (const Row& row : rows_)
       row.field->show_value((row.diffuse ? fitted.diffuse_values : fitted.specular_values)[row.at]);
+    if (specular == nullptr) return;
+    const std::string off = ambient_accuracy_text(specular->id, surface.gloss);
+    about_->setText(told_ +
+                    tr(". Light of an environment: %1")
+                        .arg(off.empty() ? tr("its error was not measured for this model") : qt_text(off)));
   } catch (const Error& error) {
     about_->setText(QString::fromUtf8(error.what()));
   }

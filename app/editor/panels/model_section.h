@@ -31,6 +31,7 @@ class ModelSection : public Section {
   Document& document_;
   QuietComboBox *specular_, *diffuse_;
   QLabel* about_;
+  QString told_;  // of the models, without what changes with the gloss
   QWidget* sliders_;
   QFormLayout* slider_rows_;
   std::vector<Row> rows_;

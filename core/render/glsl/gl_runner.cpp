@@ -160,7 +160,8 @@ class FloatTexture {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, id_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, rgb.data());
+    // Drivers read texels of four floats faster than those of three.
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGB, GL_FLOAT, rgb.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
@@ -278,19 +279,15 @@ class Prepared {
     corners_ = text.corners;
     const Program& program = state.use(text);
     if (environment == nullptr) return;
-    const auto [sharp, share] = environment->between(scene.surface.gloss);
     const Environment::Blurred behind = environment->blurred(scene.backdrop.blur);
-    const Environment::Level* const level = &environment->levels()[sharp];
     const std::array maps{std::pair("environment_irradiance", &environment->irradiance_map()),
-                          std::pair("environment_sharp", &level[0].map),
-                          std::pair("environment_dull", &level[1].map),
+                          std::pair("environment_levels", &environment->level_stack()),
                           std::pair("backdrop_sharp", behind.sharp), std::pair("backdrop_dull", behind.dull)};
-    for (std::size_t unit = 0; unit < (scene.backdrop.environment ? 5 : 3); ++unit) {
+    for (std::size_t unit = 0; unit < (scene.backdrop.environment ? 4 : 2); ++unit) {
       textures_.emplace_back(std::make_unique<FloatTexture>(int(unit), *maps[unit].second));
       program.set_sampler(maps[unit].first, int(unit));
     }
     program.set({"backdrop_share", 1, 1, false, {static_cast<float>(behind.share)}});
-    program.set({"environment_share", 1, 1, false, {static_cast<float>(share)}});
   }
   int corners() const { return corners_; }
 

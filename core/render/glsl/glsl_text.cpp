@@ -6,8 +6,10 @@
 
 #include "core/base/error.h"
 #include "core/color/luminance.h"
+#include "core/render/ambient/round_lobe.h"
 #include "core/render/camera.h"
 #include "core/render/environment.h"
+#include "core/render/glsl/glsl_ambient.h"
 #include "core/render/glsl/glsl_camera.h"
 #include "core/render/glsl/glsl_glue.h"
 #include "core/render/glsl/glsl_lights.h"
@@ -53,6 +55,7 @@ class SceneText {
     areas();
     const bool occluded = scene_.surface.occlusion < 1;
     if (occluded) light_code_ += "  vec3 direct = sum;\n  sum = vec3(0.0);\n";
+    if (scene_.lights.hemispheres || !scene_.lights.environment.empty()) make_ambient();
     hemispheres();
     environment();
     if (occluded) {
@@ -211,21 +214,15 @@ class SceneText {
     }
     if (diffuse) {
       body_uniform();
-      light_code_ +=
-          "  sum += hemisphere_diffuse(" + body_color() + ", sky_lower, sky_upper, dot(n, sky_axis));\n";
+      light_code_ += ambient_->diffuse("hemisphere_diffuse(" + body_color() +
+                                       ", sky_lower, sky_upper, dot(n, sky_axis))");
       glue_.use("diffuse hemispheres", "K_d is not 0");
     } else {
       glue_.leave_out("diffuse hemispheres", dark ? reason : no_body());
     }
     if (!specular) return glue_.leave_out("specular hemispheres", dark ? reason : "no specular model");
-    const HemisphereForm form = sky->form;
-    const std::string function = form == HemisphereForm::printed ? "hemisphere_specular_printed"
-                                 : form == HemisphereForm::wide  ? "hemisphere_specular_wide"
-                                                                 : "hemisphere_specular";
-    mirror();
-    light_code_ += "  sum += " + function + "(" + gloss_color() +
-                   ", nv, dot(mirrored, sky_axis), sky_lower, sky_upper);\n";
-    glue_.use("specular hemispheres", std::string(name(form)));
+    light_code_ += ambient_->hemispheres();
+    glue_.use("specular hemispheres", std::string(name(hemisphere_form(scene_))));
   }
 
   void environment() {
@@ -237,13 +234,11 @@ class SceneText {
     if (looked_at) environment_turn();
     if (has_diffuse_) {
       body_uniform();
-      light_code_ += "  sum += " + body_color() + " * environment_diffuse(" + to_map("n") + ");\n";
+      light_code_ += ambient_->diffuse(body_color() + " * environment_diffuse(" + to_map("n") + ")");
       parts = "diffuse";
     }
     if (scene_.specular != nullptr) {
-      mirror();
-      light_code_ += "  sum += hemisphere_fresnel(" + gloss_color() + ", nv) * environment_specular(" +
-                     to_map("mirrored") + ");\n";
+      light_code_ += ambient_->environment(to_map);
       parts += parts.empty() ? "specular" : " and specular";
     }
     if (parts.empty()) return glue_.leave_out("environment", "neither a diffuse nor a specular part");
@@ -259,9 +254,6 @@ class SceneText {
   std::string no_body() const { return is_black(scene_.surface.diffuse) ? "K_d is 0" : "no diffuse model"; }
 
   std::string body_color() const { return textured_ ? "(body_here.xyz * body_here.w)" : body_; }
-  std::string gloss_color() const {
-    return textured_ ? "gloss_here.xyz, gloss_here.w" : mirror_f0_ + ", " + mirror_gloss_;
-  }
 
   void body_uniform() {
     if (textured_) return;
@@ -273,19 +265,15 @@ class SceneText {
       glue_.uniform("body_K", scaled(scene_.surface.diffuse, opacity_));
   }
 
-  // Computes the mirror direction, and declares the F0 and the gloss that hemispheres and environment use
-  // with it.
-  void mirror() {
-    if (std::exchange(mirror_declared_, true)) return;
-    if (textures_ != nullptr && textures_->specular)
-      mirror_f0_ = "texel_f0";
-    else if (!textured_)
-      glue_.uniform("gloss_K", scene_.surface.f0);
-    if (textures_ != nullptr && textures_->gloss)
-      mirror_gloss_ = "texel_gloss";
-    else if (!textured_)
-      glue_.uniform("gloss", scene_.surface.gloss);
-    light_code_ += "  float nv = dot(n, v);\n  vec3 mirrored = 2.0 * nv * n - v;\n";
+  // The parts that add light from all around.
+  void make_ambient() {
+    const Textured varies =
+        textures_ != nullptr ? Textured{textures_->specular, textures_->gloss} : held_by_textures(scene_);
+    const auto value = [&](bool of_atlas, const char* texel, const char* here) {
+      return textured_ ? std::string(here) : of_atlas ? std::string(texel) : std::string();
+    };
+    ambient_.emplace(glue_, scene_, varies, value(varies.f0, "texel_f0", "gloss_here.xyz"),
+                     value(varies.gloss, "texel_gloss", "gloss_here.w"));
   }
 
   void picture() {
@@ -360,11 +348,12 @@ class SceneText {
   void clear_ball() {
     glue_.uniform("opacity", opacity_);
     glue_.uniform("ball_n", scene_.surface.n[1]);
+    glue_.uniform("ball_level", level_of_gloss(scene_.surface.gloss));
     glue_.uniform("ball_passing", *scene_.surface.passing);
     glue_.line(
         "    object += (1.0 - opacity) * through_ball(clamp(dot(n, v), 0.0, 1.0), ball_n, ball_passing) *");
     glue_.line("              environment_specular(" +
-               in_environment_map(scene_, "beyond_ball(n, v, ball_n)") + ");");
+               in_environment_map(scene_, "beyond_ball(n, v, ball_n)") + ", ball_level);");
     glue_.use("transparency", "a clear ball bends the environment");
   }
 
@@ -399,13 +388,14 @@ class SceneText {
   GlslGlue glue_;
   std::string specular_, diffuse_, light_code_;  // the calls of the models, and the sum over the lights
   std::string texels_;                           // the code that sets the variables of the textures
-  std::string body_ = "body_K", mirror_f0_ = "gloss_K", mirror_gloss_ = "gloss";  // names of the values
-  bool any_light_;         // whether a discrete light lights a model
-  bool areas_ = false;     // whether an area light does
-  bool framed_ = false;    // whether the models read where the tangent lies
-  bool mesh_ = false;      // whether the caller's mesh is drawn
-  bool fetching_ = false;  // whether a texture of an atlas is read
-  bool has_diffuse_ = false, body_declared_ = false, mirror_declared_ = false;
+  std::string body_ = "body_K";
+  std::optional<GlslAmbient> ambient_;  // where the scene has hemispheres or an environment
+  bool any_light_;                      // whether a discrete light lights a model
+  bool areas_ = false;                  // whether an area light does
+  bool framed_ = false;                 // whether the models read where the tangent lies
+  bool mesh_ = false;                   // whether the caller's mesh is drawn
+  bool fetching_ = false;               // whether a texture of an atlas is read
+  bool has_diffuse_ = false, body_declared_ = false;
 };
 
 }  // namespace

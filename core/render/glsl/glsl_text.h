@@ -40,7 +40,7 @@ struct GlslUniform {
 /// The two shaders of one scene. The text depends on which parts the scene has, and the uniforms on their
 /// values, so that moving a slider does not change the text unless it switches a part on or off. Diffuse
 /// colours are multiplied by the opacity. For a scene with an environment, the caller also binds the samplers
-/// and the share of shaders/environment.glsl.
+/// of shaders/environment.glsl (Environment::level_stack() and its other maps).
 struct GlslText {
   std::string vertex, fragment;
   std::vector<GlslFeature> features;

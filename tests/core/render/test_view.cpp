@@ -219,18 +219,26 @@ TEST_CASE("the quick albedo is the sum over all directions of light within 0.01"
 TEST_CASE("a texture of one colour is the surface of that colour") {
   ViewState state = two_golds();
   state.a.surface.opacity = 0.7;
+  REQUIRE(state.lights.hemispheres);
   for (const char* id : {"schueler-optimized-bounded", "ggx-schlick", "blinn-phong", "ashikhmin-shirley"}) {
     const Model& model = *find_model(id);
     state.a.specular = &model;
     state.a.diffuse = model.kind == ModelKind::combined ? nullptr : find_model("lambert");
-    for (const ViewShape shape : {ViewShape::sphere, ViewShape::quad}) {
-      state.shape = shape;
-      state.a.textures.reset();
-      const Image plain = drawn(scene_of(state));
-      state.a.textures = surface_textures(nullptr, nullptr, state.a.surface);
-      INFO(id);
-      CHECK(most_apart(drawn(scene_of(state)), plain) < 1e-5);
-    }
+    for (const ViewShape shape : {ViewShape::sphere, ViewShape::quad})
+      for (const HemisphereForm form : {HemisphereForm::corrected, HemisphereForm::model}) {
+        state.shape = shape;
+        state.lights.hemispheres->form = form;
+        state.a.textures.reset();
+        const Image plain = drawn(scene_of(state));
+        state.a.textures = surface_textures(nullptr, nullptr, state.a.surface);
+        INFO(id << ", hemispheres " << name(form));
+        // Where F0 and gloss follow a texture, the table of a model's ambient light has fewer views and a quadratic in
+        // F0, which is worst for K / lh where that is held at 1.
+        const double bound = form == HemisphereForm::model ? (model.id.ends_with("bounded") ? 0.12 : 0.01)
+                             : model.id.starts_with("ashikhmin") ? 1e-3
+                                                                 : 1e-5;
+        CHECK(most_apart(drawn(scene_of(state)), plain) < bound);
+      }
   }
 }
 
@@ -238,6 +246,7 @@ TEST_CASE("what a texture does not hold is a number of the surface") {
   ViewState state = two_golds();
   state.a.surface.opacity = 0.7;
   state.a.surface.diffuse = {0.1, 0.2, 0.3};
+  state.lights.hemispheres->form = HemisphereForm::corrected;
   for (const char* id : {"schueler-optimized-bounded", "ggx-schlick", "ashikhmin-shirley"}) {
     const Model& model = *find_model(id);
     state.a.specular = &model;
@@ -257,7 +266,7 @@ TEST_CASE("what a texture does not hold is a number of the surface") {
       CHECK(most_apart(drawn(scene_of(state)), expected) > 1e-3);
       textures.has.*quantity[other] = false;
       state.a.textures = std::make_shared<const SurfaceTextures>(textures);
-      CHECK(most_apart(drawn(scene_of(state)), expected) < 1e-5);
+      CHECK(most_apart(drawn(scene_of(state)), expected) < (model.id.starts_with("ashikhmin") ? 1e-3 : 1e-5));
     }
   }
 }

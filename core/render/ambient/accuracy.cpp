@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/ambient/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/render/ambient/accuracy_file.h"
+
+namespace etak {
+namespace {
+
+using AccuracyRows = std::array<AmbientAccuracy, measured_glosses.size()>;
+
+// Lines of model, gloss, mean, picture, p99 behind a header, the glosses of a model in order.
+std::map<std::string, AccuracyRows, std::less<>> accuracy_rows() {
+  std::map<std::string, AccuracyRows, std::less<>> out;
+  std::istringstream lines(accuracy_file);
+  std::string line;
+  std::size_t row = 0;
+  for (std::getline(lines, line); std::getline(lines, line); ++row) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream fields(line);
+    std::string model;
+    double gloss = 0;
+    AmbientAccuracy each{};
+    const std::size_t at = row % measured_glosses.size();
+    if (!(fields >> model >> gloss >> each.mean >> each.picture >> each.p99) || gloss != measured_glosses[at])
+      throw Error::at("<built-in ambient errors>", line,
+                      "model,gloss,mean,picture,p99 of the measured glosses");
+    out[model][at] = each;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<AmbientAccuracy> ambient_accuracy(std::string_view model, double gloss) {
+  static const auto table = accuracy_rows();
+  const auto found = table.find(model);
+  if (found == table.end()) return std::nullopt;
+  const double held = std::clamp(gloss, measured_glosses.front(), measured_glosses.back());
+  std::size_t i = 0;
+  while (i + 2 < measured_glosses.size() && held > measured_glosses[i + 1]) ++i;
+  const double share = (held - measured_glosses[i]) / (measured_glosses[i + 1] - measured_glosses[i]);
+  const AmbientAccuracy &a = found->second[i], &b = found->second[i + 1];
+  return AmbientAccuracy{std::lerp(a.mean, b.mean, share), std::lerp(a.picture, b.picture, share),
+                         std::lerp(a.p99, b.p99, share)};
+}
+
+std::string ambient_accuracy_text(std::string_view model, double gloss) {
+  const auto found = ambient_accuracy(model, gloss);
+  if (!found) return "";
+  return "mean dE2000 " + number(found->mean, 2) + " (worst picture " + number(found->picture, 2) +
+         "), 1 % of its pixels above " + number(found->p99, 2);
+}
+
+}  // namespace etak
