@@ -5,11 +5,13 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "core/base/clones.h"
 #include "core/base/parallel.h"
 #include "core/color/luminance.h"
+#include "core/render/ambient/refined.h"
 #include "core/render/backdrop.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"

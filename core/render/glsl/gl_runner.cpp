@@ -11,7 +11,9 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/render/glsl/gl_context.h"
+#include "core/render/glsl/glsl_refined.h"
 
 namespace etak {
 namespace {
@@ -136,6 +138,12 @@ class Target {
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;
 
+  void bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  }
+
  private:
   void remove() {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -149,18 +157,19 @@ class Target {
 // an array of numbers is read texel by texel.
 class FloatTexture {
  public:
-  FloatTexture(int unit, const Image& map) : FloatTexture(unit, map.width, map.height, map.values) {
+  FloatTexture(int unit, const Image& map)
+      : FloatTexture(unit, map.width, map.height, map.values, map.channels == 4 ? GL_RGBA : GL_RGB) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   }
-  FloatTexture(int unit, int width, int height, const std::vector<float>& rgb) {
+  FloatTexture(int unit, int width, int height, const std::vector<float>& values, GLenum channels = GL_RGB) {
     glGenTextures(1, &id_);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, id_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, rgb.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, channels, GL_FLOAT, values.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
@@ -263,12 +272,40 @@ struct GlRunner::State {
 
 namespace {
 
+// The ambient light of a refined scene, summed into a target of its own; no target where the scene is not refined.
+template <class State>
+std::unique_ptr<Target> refined(State& state, const Scene& scene, const Environment* environment) {
+  if (!is_refined(scene, environment != nullptr)) return nullptr;
+  auto target = std::make_unique<Target>(GL_RGBA32F, scene.width, scene.height);
+  const GlslRefined shader = glsl_refined(scene, environment, thread_count(0));
+  const Program& program = state.use(shader.text);
+  std::vector<std::unique_ptr<FloatTexture>> textures;
+  const auto add = [&](const std::string& name, const Image& map) {
+    const int unit = static_cast<int>(textures.size());
+    textures.push_back(std::make_unique<FloatTexture>(unit, map));
+    program.set_sampler(name.c_str(), unit);
+  };
+  add("ambient_samples", shader.plan.samples);
+  for (const auto& [name, map] : shader.textures) add(name, *map);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  for (int pass = 0; pass < GlslRefined::passes; ++pass) {
+    program.set({"ambient_pass", 1, 1, false, {static_cast<float>(pass)}});
+    State::draw(shader.text.corners);
+  }
+  glDisable(GL_BLEND);
+  return target;
+}
+
 // Puts the program of a scene into use with its uniforms and textures, which stay bound while the value
 // lives.
 class Prepared {
  public:
   template <class State>
-  Prepared(State& state, const Scene& scene, const Environment* environment) {
+  Prepared(State& state, const Scene& scene, const Environment* environment,
+           const Target* ambient = nullptr) {
     validate(scene);
     if (scene.textures) throw Error::at("scene", "has textures", "one without them for this way of drawing");
     Scene drawn = scene;
@@ -277,6 +314,11 @@ class Prepared {
     const GlslText text = glsl_text(drawn);
     corners_ = text.corners;
     const Program& program = state.use(text);
+    if (ambient != nullptr) {
+      constexpr int unit = 8;  // past those of the environment
+      ambient->bind(unit);
+      program.set_sampler("ambient_picture", unit);
+    }
     if (environment == nullptr) return;
     const auto [sharp, share] = environment->between(scene.surface.gloss);
     const Environment::Blurred behind = environment->blurred(scene.backdrop.blur);
@@ -348,8 +390,10 @@ Image GlRunner::render(const Scene& scene, const Environment* environment, std::
   linear.tone = Tone::plain;
   linear.transfer = Transfer::linear;
   state_->context.make_current();
+  validate(scene);
+  const std::unique_ptr<Target> ambient = refined(*state_, linear, environment);
   const Target target(GL_RGBA32F, scene.width, scene.height);
-  const Prepared prepared(*state_, linear, environment);
+  const Prepared prepared(*state_, linear, environment, ambient.get());
   clear_to(scene.background);
   const GpuClock clock;
   clock.start();
