@@ -2,25 +2,13 @@
 // Light from all around, integrated by samples each of which is filtered over the solid angle that it stands for.
 // Based on:
 //   Krivanek and Colbert 2008, "Real-time Shading with Filtered Importance Sampling"
-//   Engelhardt and Dachsbacher 2008, "Octahedron Environment Maps": class LightMap of core/render/ambient/light_map.h
 
 // The solid angle over which light is filtered, in that of a sample: with less, pixels differ by the places of their
 // samples; with more, lobes are blurred.
 const real refined_filter = real(0.5);
 
-// The place of a direction in the square that an octahedron is unfolded to, [0, 1] in x and y; z is |x| + |y| + |z| of
-// the unit vector d. The middle of the square is +y, its corners are -y.
-vec3 octahedral_place(vec3 d) {
-  real sum = abs(d.x) + abs(d.y) + abs(d.z);
-  real x = d.x / sum;
-  real z = d.z / sum;
-  real folded_x = (1 - abs(z)) * (x < 0 ? real(-1) : real(1));
-  real folded_z = (1 - abs(x)) * (z < 0 ? real(-1) : real(1));
-  return vec3((d.y < 0 ? folded_x : x) / 2 + real(0.5), (d.y < 0 ? folded_z : z) / 2 + real(0.5), sum);
-}
-
 // The level of the map whose texels are as large as a solid angle; the level 0 has side * side texels.
-//   sum   of octahedral_place()
+//   sum   z of octahedral_place() for a unit vector
 real light_map_level(real solid_angle, real sum, real side) {
   return log2(max(solid_angle * side * side / (4 * sum * sum * sum), real(1))) / 2;
 }
