@@ -55,8 +55,8 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
     remark(arguments.output, each);
     out.told.insert(each);
   }
-  ExportWishes wishes{std::nullopt, given_gloss(arguments.rough), arguments.opacity,
-                      arguments.compute.axis_average, {}};
+  ExportWishes wishes{
+      std::nullopt, given_gloss(arguments.rough), arguments.opacity, arguments.compute.axis_average, {}};
   if (!arguments.diffuse.empty()) wishes.diffuse = typed_share("--diffuse", arguments.diffuse);
   if (!arguments.emission.empty()) wishes.emission = typed_emission(arguments.emission);
   std::vector<Answer> answers(inputs.size());
