@@ -48,7 +48,8 @@ class Viewport : public QWidget {
 
   /// The picture of the state in device pixels, without marks and texts; waits until it is drawn. Grey where
   /// the state cannot be drawn.
-  QImage grab_picture();
+  ///   ambient_samples   as in struct Scene: 0 gives the picture that is shown while things move
+  QImage grab_picture(int ambient_samples = 0);
 
   bool is_drawing() const;  // a picture of this state or of an earlier one is still in work
 

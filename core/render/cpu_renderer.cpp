@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "core/base/clones.h"
@@ -12,6 +13,7 @@
 #include "core/color/luminance.h"
 #include "core/light/area_lobes.h"
 #include "core/render/ambient/ambient.h"
+#include "core/render/ambient/refined.h"
 #include "core/render/backdrop.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"
