@@ -12,7 +12,6 @@
 #include "app/editor/panels/pack_dialog.h"
 #include "app/editor/window.h"
 #include "app/viewport/background.h"
-#include "core/render/ambient/refined.h"
 
 namespace etak::editor {
 namespace {
@@ -186,7 +185,7 @@ void Window::save_picture() {
                                     tr("PNG (*.png)"), QStringLiteral("png"));
   if (file.isEmpty()) return;
   in_background(
-      io_, this, [file, picture = viewport_->grab_picture(refined_samples)] { return save_png(picture, file); },
+      io_, this, [file, picture = viewport_->grab_picture()] { return save_png(picture, file); },
       [this, file](const QString& error) {
         if (error.isEmpty())
           tell(tr("Saved %1").arg(short_path(file)));

@@ -4,8 +4,6 @@
 #include <QImage>
 #include <QThreadPool>
 #include <QWidget>
-#include <atomic>
-#include <memory>
 
 #include "app/viewport/display.h"
 #include "app/viewport/frame_share.h"
@@ -13,8 +11,7 @@
 namespace etak {
 
 /// Shows a state as the CPU renderer of core draws it, in a thread of its own. The last picture stays on the
-/// screen until the next is drawn. While nothing moves, the picture is refined; that stops when another state is to be
-/// shown.
+/// screen until the next is drawn.
 class CpuView : public QWidget {
   Q_OBJECT
 
@@ -38,13 +35,11 @@ class CpuView : public QWidget {
  private:
   void start();
   void take(const QImage& picture, const QString& message, double ms, double share);
-  void refine();
 
   ViewState state_;
   ViewDisplay display_;
   QImage picture_;
-  bool hurry_ = false, running_ = false, wanted_ = false, refining_ = false;
-  std::shared_ptr<std::atomic<bool>> stop_ = std::make_shared<std::atomic<bool>>(false);
+  bool hurry_ = false, running_ = false, wanted_ = false;
   double share_ = 1;
   FrameShare shares_;
   QThreadPool pool_;  // the last member, so that its thread ends before the others are destroyed

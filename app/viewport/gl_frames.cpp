@@ -32,10 +32,7 @@ GlFrame GlFrames::draw(const GlJob& job) {
     const bool whole = drawn_size == job.size;
     const GlTarget& shown = of_size(targets_[next_], job.size);
     const GlTarget& target = whole ? shown : of_size(small_, drawn_size);
-    const GlPainter::Drawn drawn =
-        painter_.draw(tiles, job.state.environment, job.display, target, job.stop.get());
-    if (drawn.stopped) return out;
-    out.refined = job.state.ambient_samples > 0;
+    const GlPainter::Drawn drawn = painter_.draw(tiles, job.state.environment, job.display, target);
     next_ = 1 - next_;
     out.texture = shown.texture();
     out.background = drawn.background;

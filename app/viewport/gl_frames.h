@@ -17,8 +17,7 @@ struct GlJob {
   ViewState state;
   ViewDisplay display;
   QSize size;
-  double share = 1;                         // of width and height that is drawn; the frame is then enlarged
-  std::shared_ptr<std::atomic<bool>> stop;  // as in GlPainter::draw()
+  double share = 1;  // of width and height that is drawn; the frame is then enlarged
 };
 
 /// A frame in a texture, or the reason why there is none.
@@ -31,9 +30,8 @@ struct GlFrame {
   double compile_ms =
       0;  // for the first tile's program and its first drawing, in this frame or an earlier one
   bool context_lost = false;
-  bool refined = false;  // its ambient light is integrated by samples
-  QString refused;       // why the state cannot be drawn; the texture is then grey
-  QString failed;        // why this context cannot draw at all
+  QString refused;  // why the state cannot be drawn; the texture is then grey
+  QString failed;   // why this context cannot draw at all
 };
 
 /// Draws frames into textures with the current OpenGL context. The same context must be current when an

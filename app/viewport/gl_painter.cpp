@@ -11,8 +11,6 @@
 #include "app/viewport/gl_program.h"
 #include "app/viewport/gl_textures.h"
 #include "core/base/error.h"
-#include "core/base/parallel.h"
-#include "core/render/glsl/glsl_refined.h"
 
 namespace etak {
 namespace {
@@ -76,65 +74,6 @@ struct GlPainter::State {
         tables.push_back(std::make_unique<GlTexture>(gl, table));
   }
 
-  std::unique_ptr<GlTarget>
-      ambient;  // the sum of the samples of ambient light, in the frame of the last target
-
-  // Sums the ambient light of the tiles that are refined, a part of the samples a pass. False where it was stopped.
-  bool sum_ambient(const std::vector<ViewTile>& tiles, const QSize& size, const std::atomic<bool>* stop) {
-    if (!std::ranges::any_of(tiles,
-                             [&](const ViewTile& t) { return is_refined(t.scene, environment != nullptr); }))
-      return true;
-    if (!ambient || ambient->size() != size) ambient = std::make_unique<GlTarget>(gl, size, true);
-    gl.glBindFramebuffer(GL_FRAMEBUFFER, ambient->frame());
-    gl.glBindVertexArray(no_vertices);
-    gl.glDisable(GL_SCISSOR_TEST);
-    gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl.glClearColor(0, 0, 0, 0);
-    gl.glClear(GL_COLOR_BUFFER_BIT);
-    gl.glEnable(GL_SCISSOR_TEST);
-    gl.glEnable(GL_BLEND);
-    gl.glBlendFunc(GL_ONE, GL_ONE);
-    const bool whole = std::ranges::all_of(
-        tiles, [&](const ViewTile& tile) { return sum_ambient(tile, size.height(), stop); });
-    gl.glDisable(GL_BLEND);
-    return whole;
-  }
-
-  bool sum_ambient(const ViewTile& tile, int height, const std::atomic<bool>* stop) {
-    if (!is_refined(tile.scene, environment != nullptr)) return true;
-    const GlslRefined shader = glsl_refined(tile.scene, environment.get(), thread_count(0));
-    std::unique_ptr<GlProgram>& program = programs[shader.text.fragment];
-    if (!program) program = std::make_unique<GlProgram>(gl, shader.text);
-    std::vector<std::pair<std::string, std::unique_ptr<GlTexture>>> textures;
-    textures.emplace_back("ambient_samples", std::make_unique<GlTexture>(gl, shader.plan.samples, false));
-    for (const auto& [name, map] : shader.textures)
-      textures.emplace_back(name, std::make_unique<GlTexture>(gl, *map, name == "environment_irradiance"));
-    const Pair* const pair = tile.scene.textures ? &take_textures(tile.scene.textures) : nullptr;
-    const int bottom = height - tile.y - tile.scene.height;
-    program->use();
-    for (const GlslUniform& uniform : shader.text.uniforms) program->set(uniform);
-    program->set({"picture_origin", 2, 1, false, {static_cast<float>(tile.x), static_cast<float>(bottom)}});
-    int unit = 0;
-    const auto bind = [&](GlTexture& texture, const std::string& sampler) {
-      texture.bind(unit);
-      program->set_sampler(sampler, unit++);
-    };
-    for (const auto& [name, texture] : textures) bind(*texture, name);
-    if (pair != nullptr) {
-      bind(*pair->body, "surface_body");
-      bind(*pair->gloss, "surface_gloss");
-    }
-    gl.glViewport(tile.x, bottom, tile.scene.width, tile.scene.height);
-    gl.glScissor(tile.clip_first, bottom, tile.clip_last - tile.clip_first, tile.scene.height);
-    for (int pass = 0; pass < GlslRefined::passes; ++pass) {
-      if (stop != nullptr && *stop) return false;
-      program->set({"ambient_pass", 1, 1, false, {static_cast<float>(pass)}});
-      gl.glDrawArrays(GL_TRIANGLE_FAN, 0, shader.text.corners);
-      gl.glFinish();
-    }
-    return true;
-  }
-
   GlTexture& backdrop_texture(const Image* map) {
     std::unique_ptr<GlTexture>& out = backdrops[map];
     if (!out) out = std::make_unique<GlTexture>(gl, *map, true);
@@ -168,11 +107,6 @@ struct GlPainter::State {
       bind(*pair->gloss, "surface_gloss");
     }
     for (std::size_t i = 0; i < tables.size(); ++i) bind(*tables[i], display->tables[i].sampler);
-    if (is_refined(scene, environment != nullptr)) {
-      gl.glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-      gl.glBindTexture(GL_TEXTURE_2D, ambient->texture());
-      program.set_sampler("ambient_picture", unit);
-    }
   }
 
   // Milliseconds of compiling in this frame, and of compiling the tile's program, in whichever frame that
@@ -274,15 +208,9 @@ std::unique_ptr<GlTarget> GlPainter::target(const QSize& size) {
 
 GlPainter::Drawn GlPainter::draw(const std::vector<ViewTile>& tiles,
                                  const std::shared_ptr<const Environment>& environment,
-                                 const ViewDisplay& display, const GlTarget& target,
-                                 const std::atomic<bool>* stop) {
+                                 const ViewDisplay& display, const GlTarget& target) {
   state_->take(environment);
   state_->take(display.gpu);
-  if (!state_->sum_ambient(tiles, target.size(), stop)) {
-    Drawn out;
-    out.stopped = true;
-    return out;
-  }
   return state_->draw(tiles, display, target);
 }
 

@@ -4,7 +4,6 @@
 #include <QColor>
 #include <QImage>
 #include <QSize>
-#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,11 +36,9 @@ class GlPainter {
     double compile_ms = 0;  // for the first tile's program and its first drawing, now or in an earlier frame
     QColor background;
     bool context_lost = false;
-    bool stopped = false;  // nothing was drawn
   };
-  ///   stop   true: samples of ambient light are not drawn to their end; null: they always are
   Drawn draw(const std::vector<ViewTile>& tiles, const std::shared_ptr<const Environment>& environment,
-             const ViewDisplay& display, const GlTarget& target, const std::atomic<bool>* stop = nullptr);
+             const ViewDisplay& display, const GlTarget& target);
 
   /// Copies `small` to the whole of `target`, waits for it, and returns the milliseconds that it took.
   double enlarge(const GlTarget& small, const GlTarget& target);

@@ -60,11 +60,11 @@ void GlTexture::clamp(GLenum axis) {
   gl_.glTexParameteri(kind_, axis, GL_CLAMP_TO_EDGE);
 }
 
-GlTarget::GlTarget(Gl& gl, const QSize& size, bool floats) : gl_(gl), size_(size) {
+GlTarget::GlTarget(Gl& gl, const QSize& size) : gl_(gl), size_(size) {
   gl_.glGenTextures(1, &texture_);
   gl_.glBindTexture(GL_TEXTURE_2D, texture_);
-  gl_.glTexImage2D(GL_TEXTURE_2D, 0, floats ? GL_RGBA32F : GL_RGBA8, size.width(), size.height(), 0, GL_RGBA,
-                   floats ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+  gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width(), size.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                   nullptr);
   gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   gl_.glGenFramebuffers(1, &frame_);
   gl_.glBindFramebuffer(GL_FRAMEBUFFER, frame_);

@@ -30,12 +30,12 @@ class GlTexture {
   GLuint id_ = 0;
 };
 
-/// A frame buffer with a texture of 8-bit codes, or of floats, to draw into. Contexts that share can use the texture, but
+/// A frame buffer with a texture of 8-bit codes to draw into. Contexts that share can use the texture, but
 /// not the frame buffer.
 class GlTarget {
  public:
   /// Throws Error where the driver cannot draw into a picture of this size.
-  GlTarget(Gl& gl, const QSize& size, bool floats = false);
+  GlTarget(Gl& gl, const QSize& size);
   ~GlTarget();
   GlTarget(const GlTarget&) = delete;
   GlTarget& operator=(const GlTarget&) = delete;

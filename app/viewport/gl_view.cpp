@@ -9,12 +9,9 @@
 #include "app/viewport/gl_program.h"
 #include "app/viewport/gl_thread.h"
 #include "core/base/error.h"
-#include "core/render/ambient/refined.h"
 
 namespace etak {
 namespace {
-
-constexpr int rest_ms = 150;
 
 QSurfaceFormat wanted_format() {
   QSurfaceFormat format;
@@ -46,9 +43,6 @@ QString why_no_gl() {
 GlView::GlView(QWidget* parent, bool threaded) : QOpenGLWidget(parent), threaded_(threaded) {
   setFormat(wanted_format());
   setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
-  rest_.setSingleShot(true);
-  rest_.setInterval(rest_ms);
-  connect(&rest_, &QTimer::timeout, this, &GlView::refine);
 }
 
 GlView::~GlView() {
@@ -60,15 +54,13 @@ GlView::~GlView() {
 
 void GlView::drop() {
   if (!thread_ && !frames_) return;
-  *stop_ = true;
-  rest_.stop();
   makeCurrent();
   thread_.reset();
   frames_.reset();
   current_gl().glDeleteFramebuffers(1, &reader_);
   doneCurrent();
   frame_ = {};
-  drawing_ = fresh_ = refining_ = false;
+  drawing_ = fresh_ = false;
   wanted_ = true;
 }
 
@@ -77,8 +69,6 @@ void GlView::show_state(const ViewState& state, const ViewDisplay& display, bool
   display_ = display;
   hurry_ = hurry;
   wanted_ = true;
-  *stop_ = true;
-  rest_.stop();
   begin();
 }
 
@@ -100,36 +90,17 @@ void GlView::initializeGL() {
 GlJob GlView::next_job() {
   wanted_ = false;
   whole_ = picture_size();
-  return {state_, display_, whole_, hurry_ ? shares_.next() : 1, nullptr};
+  return {state_, display_, whole_, hurry_ ? shares_.next() : 1};
 }
 
 void GlView::begin() {
   if (frames_) update();  // without a thread, the frame is drawn in paintGL()
-  if (!thread_ || !wanted_ || drawing_ || refining_ || picture_size().isEmpty()) return;
+  if (!thread_ || !wanted_ || drawing_ || picture_size().isEmpty()) return;
   drawing_ = true;
   thread_->draw(next_job(), [this](const GlFrame& frame) {
     drawing_ = false;
     take(frame);
     update();
-    begin();
-    if (!drawing_ && !hurry_) rest_.start();
-  });
-}
-
-void GlView::refine() {
-  if (!thread_ || drawing_ || refining_ || wanted_ || hurry_ || frame_.texture == 0) return;
-  refining_ = true;
-  stop_ = std::make_shared<std::atomic<bool>>(false);
-  GlJob job{state_, display_, whole_, 1, stop_};
-  job.state.ambient_samples = refined_samples;
-  thread_->draw(job, [this](const GlFrame& frame) {
-    refining_ = false;
-    // A frame that was stopped has no texture; a picture that does not fit the view any more is not shown.
-    if (frame.context_lost) return tell_loss();
-    if (frame.texture != 0 && !wanted_ && frame.refused.isEmpty() && frame.failed.isEmpty()) {
-      frame_ = frame;
-      update();
-    }
     begin();
   });
 }
@@ -191,7 +162,7 @@ void GlView::show_frame() {
 
 QImage GlView::picture(const ViewState& state, const ViewDisplay& display, const QSize& size) {
   if (!thread_ && !frames_) (void)grabFramebuffer();  // a view that was never shown has no context yet
-  const GlJob job{state, display, size, 1, nullptr};
+  const GlJob job{state, display, size, 1};
   if (thread_) return thread_->picture(job);
   if (!frames_) throw Error::at("OpenGL", "gives no picture");
   makeCurrent();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QOpenGLWidget>
-#include <QTimer>
 #include <memory>
 
 #include "app/viewport/frame_share.h"
@@ -18,8 +17,7 @@ QString why_no_gl();
 
 /// Shows a state as OpenGL draws it. Where contexts can share, it is drawn in a thread of its own: the last
 /// picture stays on the screen until the next is drawn, so that the user does not wait for a shader to be
-/// compiled. While nothing moves, that thread refines the picture; it stops within a pass of samples when another
-/// state is to be shown.
+/// compiled.
 class GlView : public QOpenGLWidget {
   Q_OBJECT
 
@@ -39,7 +37,6 @@ class GlView : public QOpenGLWidget {
   double compile_ms() const { return frame_.compile_ms; }
   double share() const { return frame_.share; }  // of width and height that the last frame was drawn with
   bool is_drawing() const { return drawing_; }
-  bool is_refined() const { return frame_.refined; }  // the picture that is shown
   bool is_threaded() const { return thread_ != nullptr; }
 
  signals:
@@ -54,8 +51,7 @@ class GlView : public QOpenGLWidget {
 
  private:
   GlJob next_job();
-  void begin();   // begins the next frame, if one is wanted and none is in work
-  void refine();  // begins to refine the picture that is shown
+  void begin();  // begins the next frame, if one is wanted and none is in work
   void take(const GlFrame& frame);
   void tell_loss();
   void show_frame();
@@ -69,9 +65,6 @@ class GlView : public QOpenGLWidget {
   QSize whole_;    // size of the view when the last frame was begun
   unsigned reader_ = 0;
   QString gl_name_;
-  QTimer rest_;  // until nothing has moved for so long that the picture is refined
-  std::shared_ptr<std::atomic<bool>> stop_ = std::make_shared<std::atomic<bool>>(false);
-  bool refining_ = false;
   bool hurry_ = false, threaded_, wanted_ = true, drawing_ = false, fresh_ = false, lost_ = false;
   FrameShare shares_;
 };

@@ -180,18 +180,17 @@ const ViewState& Viewport::state() const {
   return d_->state;
 }
 
-QImage Viewport::grab_picture(int ambient_samples) {
+QImage Viewport::grab_picture() {
   const QSize size = d_->picture_size();
-  ViewState state = d_->shown_state();
-  state.ambient_samples = ambient_samples;
   try {
     if (!d_->display.is_of(d_->state)) {
       const ViewState& s = d_->state;
       d_->openers.waitForDone();
       d_->display = etak::open_display(s.ocio_config, s.ocio_display, s.ocio_view, s.tone);
     }
-    if (d_->gl != nullptr) return d_->gl->picture(state, d_->display, size);
-    return cpu_picture(state, d_->display, size, std::max(1u, std::thread::hardware_concurrency()));
+    if (d_->gl != nullptr) return d_->gl->picture(d_->shown_state(), d_->display, size);
+    return cpu_picture(d_->shown_state(), d_->display, size,
+                       std::max(1u, std::thread::hardware_concurrency()));
   } catch (const Error& error) {
     d_->refusal = QString::fromUtf8(error.what());
     d_->tell_message();

@@ -48,8 +48,7 @@ class Viewport : public QWidget {
 
   /// The picture of the state in device pixels, without marks and texts; waits until it is drawn. Grey where
   /// the state cannot be drawn.
-  ///   ambient_samples   as in struct Scene: 0 gives the picture that is shown while things move
-  QImage grab_picture(int ambient_samples = 0);
+  QImage grab_picture();
 
   bool is_drawing() const;  // a picture of this state or of an earlier one is still in work
 

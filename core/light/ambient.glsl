@@ -26,16 +26,15 @@ real probe_share(real z, real level) {
   return (1 + mix(smooth_step, t, clamp((level - 5) / 2, real(0), real(1)))) / 2;
 }
 
-// The place of a direction of any length but 0 on the square of an octahedral map, x and y in [0, 1]: the eight faces of
-// an octahedron around the direction +y in the middle (Engelhardt and Dachsbacher 2008). z is |x| + |y| + |z| of d.
+// The place of a direction of any length but 0 on the square of an octahedral map, both coordinates in [0, 1]: the eight
+// faces of an octahedron around the direction +y in the middle.
 vec3 octahedral_place(vec3 d) {
-  real sum = max(abs(d.x) + abs(d.y) + abs(d.z), tiny);
-  real scale = real(0.5) / sum;
+  real scale = real(0.5) / max(abs(d.x) + abs(d.y) + abs(d.z), tiny);
   real x = d.x * scale;
   real z = d.z * scale;
   real over_x = (real(0.5) - abs(z)) * (x < 0 ? real(-1) : real(1));
   real over_z = (real(0.5) - abs(x)) * (z < 0 ? real(-1) : real(1));
-  return vec3((d.y < 0 ? over_x : x) + real(0.5), (d.y < 0 ? over_z : z) + real(0.5), sum);
+  return vec3((d.y < 0 ? over_x : x) + real(0.5), (d.y < 0 ? over_z : z) + real(0.5), real(0));
 }
 
 // The direction of a place on that square; beyond an edge the map is mirrored at the middle of the edge.

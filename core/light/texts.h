@@ -4,12 +4,10 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"  // no including source uses every function
 // clang-format off
-using uint = unsigned;  // as in GLSL
 #include "core/light/lights.glsl"
 #include "core/light/area.glsl"
 #include "core/light/hemispheres.glsl"
 #include "core/light/ambient.glsl"
-#include "core/light/refined.glsl"
 #include "core/light/transparency.glsl"
 #include "core/light/clear_ball.glsl"
 #include "core/light/ground.glsl"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "core/base/clones.h"
@@ -13,7 +12,6 @@
 #include "core/color/luminance.h"
 #include "core/light/area_lobes.h"
 #include "core/render/ambient/ambient.h"
-#include "core/render/ambient/refined.h"
 #include "core/render/backdrop.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"

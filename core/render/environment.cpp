@@ -12,12 +12,10 @@
 #include "core/base/clones.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/base/once.h"
 #include "core/base/parallel.h"
 #include "core/base/text/text.h"
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
-#include "core/render/ambient/lat_long.h"
 #include "core/render/ambient/round_lobe.h"
 
 namespace etak {
@@ -41,8 +39,48 @@ constexpr double widest_lobe_map = 256;
 // Of quick prefiltering, and of the picture of a studio that is prefiltered so.
 constexpr int quick_width = 128, quick_studio_width = 256;
 constexpr double widest_quick_map = 64;
-// Of the map for refined pictures, whose finest texels are as wide as those of this one.
-constexpr int refined_width = 1024;
+
+double luminance_at(const Image& map, int x, int y) {
+  const float* rgb = map.at(x, y).data();
+  return luminance_of<double>(rgb[0], rgb[1], rgb[2]);
+}
+
+Vec3 direction_at(double u, double v) {
+  const double phi = 2 * pi * (u - 0.5), theta = pi * v;
+  return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
+}
+
+struct MapPlace {
+  double u, v;
+};
+MapPlace place_of(const Vec3& d) {
+  // Both angles are computed by atan2, because acos loses digits towards the poles.
+  return {0.5 + std::atan2(d[0], -d[2]) / (2 * pi),
+          std::atan2(std::sqrt(d[0] * d[0] + d[2] * d[2]), d[1]) / pi};
+}
+
+// The bilinear value at a place. Columns wrap around; rows end at the poles.
+Vec3 look_up(const Image& map, const MapPlace& place) {
+  const double x = place.u * map.width - 0.5,
+               y = std::clamp(place.v * map.height - 0.5, 0.0, map.height - 1.0);
+  const double column = std::floor(x), row = std::floor(y);
+  const double fx = x - column, fy = y - row;
+  const auto wrap = [&](int i) { return i < 0 ? i + map.width : i >= map.width ? i - map.width : i; };
+  const int x0 = wrap(static_cast<int>(column)), x1 = wrap(static_cast<int>(column) + 1);
+  const int y0 = static_cast<int>(row), y1 = std::min(y0 + 1, map.height - 1);
+  const auto a = map.at(x0, y0), b = map.at(x1, y0), c = map.at(x0, y1), d = map.at(x1, y1);
+  Vec3 out{};
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = (double{a[i]} * (1 - fx) + double{b[i]} * fx) * (1 - fy) +
+             (double{c[i]} * (1 - fx) + double{d[i]} * fx) * fy;
+  return out;
+}
+
+// The solid angle of a pixel in `row` of a map, in sr.
+double solid_angle(const Image& map, int row) {
+  const double top = std::cos(pi * row / map.height), bottom = std::cos(pi * (row + 1) / map.height);
+  return 2 * pi / map.width * (top - bottom);
+}
 
 Image at_most(const Image& map, int width) {
   return map.width <= width ? map : shrunk(map, width, std::min(map.height, width / 2));
@@ -247,7 +285,6 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
 
   // Every pixel gets a little of the mean as weight, because bilinear look-up finds light in black pixels
   // beside bright ones.
-  refined_ = std::make_shared<Refined>();
   double mean = 0, most = 0;
   for (int y = 0; y < map_.height; ++y)
     for (int x = 0; x < map_.width; ++x) {
@@ -265,16 +302,6 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
     row_sums_.push_back(total += row * solid_angle(map_, y));
   }
   for (double& sum : row_sums_) sum /= total;
-}
-
-struct Environment::Refined {
-  Once once;
-  RefinedLight light;
-};
-
-const RefinedLight& Environment::refined(unsigned threads) const {
-  refined_->once.call([&] { refined_->light = refined_light(at_most(map_, refined_width), threads); });
-  return refined_->light;
 }
 
 Vec3 Environment::radiance(const Vec3& d) const {

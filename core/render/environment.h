@@ -9,7 +9,6 @@
 #include "core/image/image.h"
 #include "core/light/studio.h"
 #include "core/math/mat3.h"
-#include "core/render/ambient/light_map.h"
 
 namespace etak {
 
@@ -78,9 +77,6 @@ class Environment {
   const Image& irradiance_map() const { return irradiance_; }
   const std::vector<Level>& levels() const { return levels_; }  // from gloss 1 to gloss 0
 
-  /// The form of the environment for refined pictures, made when it is first asked for.
-  const RefinedLight& refined(unsigned threads) const;
-
   /// The greatest luminance over the mean; 1 for an environment that is black.
   double contrast() const { return contrast_; }
 
@@ -98,8 +94,6 @@ class Environment {
   // Cumulated luminance over the rows, and in each row over its columns; the last sums are 1.
   std::vector<double> row_sums_, column_sums_;
   double contrast_ = 1;
-  struct Refined;
-  std::shared_ptr<Refined> refined_;
 };
 
 /// A turn of the environment around y: converts directions between the scene and the map.

@@ -212,8 +212,6 @@ bool is_clear_ball(const Scene& scene) {
 void validate(const Scene& scene) {
   for (const int side : {scene.width, scene.height})
     require(side >= 1 && side <= max_image_side, "size", side, "1 to 16384 pixels on a side");
-  require(scene.ambient_samples >= 0 && scene.ambient_samples <= 4096, "ambient samples",
-          scene.ambient_samples, "0 to 4096");
   if (scene.specular == nullptr && scene.diffuse == nullptr)
     throw Error::at("scene", "has no model", "a specular or a diffuse model");
   if (scene.specular != nullptr && scene.specular->kind == ModelKind::combined && scene.diffuse != nullptr)

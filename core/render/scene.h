@@ -155,7 +155,7 @@ struct Backdrop {
 ///   frame         tangent t = normalize(cross(y, n)), the x axis where |cross|^2 < 1e-12; bitangent
 ///                 b = cross(n, t)
 ///   light         sum of f_r E nl, times pi where `pi_scaled`; hemispheres and environment use diffuse, f0
-///                 and gloss of `surface`, or the models themselves where ambient_samples is above 0
+///                 and gloss of `surface`
 ///   emission      added to what is reflected; opacity does not reduce it
 ///   occlusion     factor of what is reflected of hemispheres and environment (Schueler's visibility); areas and
 ///                 discrete lights stay as they are
@@ -186,10 +186,7 @@ struct Scene {
   std::optional<View> view;         // none: the whole object from the front
   bool perspective = false;         // orthographic otherwise
   double field_of_view_deg = 30;    // perspective: vertical
-  // Of each part of the surface, by which hemispheres and environment are integrated (ambient/refined.h); 0: the terms
-  // of a moving picture stand for them.
-  int ambient_samples = 0;
-  double exposure = 1;  // linear factor
+  double exposure = 1;              // linear factor
   Tone tone = Tone::plain;
   Transfer transfer = Transfer::srgb;
   Vec3 background{0.18, 0.18, 0.18};  // linear

@@ -28,7 +28,6 @@ struct Chunk {
   Triple local_half;                 // the half vector in that frame; for far lights
   Triple to_light;                   // in the scene's space; for point and spot lights
   Lane irradiance;                   // E nl of one light, without its colour
-  Lane solid_angle;                  // that a sample of ambient light stands for
   Triple response;                   // f_r of one model
   Triple specular, diffuse;          // radiance
   Lane through;                      // share of the background that is seen through the object

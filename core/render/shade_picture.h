@@ -129,16 +129,13 @@ void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
 }
 
 // Evaluates a model at every lit point of a textured chunk, with the values of the texel there.
-//   with_body   false: with a black body
-void respond_textured(const Model& model, const std::vector<double>& values, const Range& reached, Chunk& c,
-                      bool with_body = true) {
+void respond_textured(const Model& model, const std::vector<double>& values, const Range& reached, Chunk& c) {
   TexturedValues textured(model, values);
   for (std::size_t i = reached.first; i < std::min(reached.last, c.count); ++i) {
     if (!(c.irradiance[i] > 0)) continue;
     // The colour of the body is already multiplied by its opacity.
-    const real color = with_body ? real(1) : real(0);
-    const std::array<double, 4> body{double(color * c.texel_body[0][i]), double(color * c.texel_body[1][i]),
-                                     double(color * c.texel_body[2][i]), 1},
+    const std::array<double, 4> body{double(c.texel_body[0][i]), double(c.texel_body[1][i]),
+                                     double(c.texel_body[2][i]), 1},
         gloss{double(c.texel_f0[0][i]), double(c.texel_f0[1][i]), double(c.texel_f0[2][i]),
               double(c.texel_gloss[i])};
     respond(model, textured.at(body, gloss), {i, i + 1}, c);
@@ -168,12 +165,8 @@ void look_up_textures(const Shading& shading, Chunk& c) {
   }
 }
 
-#include "core/render/shade_refined.h"
-
 // Adds the light of hemispheres and environment.
-//   refined   how ambient light is sampled; null: the terms of a moving picture stand for it
-void reflect_ambient(const Shading& shading, const Refined* refined, const Piece& piece, Chunk& c) {
-  if (refined != nullptr) return add_refined(shading, *refined, piece, c);
+void reflect_ambient(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
   const bool textured = scene.textures != nullptr, with_specular = shading.specular != nullptr;
   const real gloss = real(scene.surface.gloss);
@@ -198,7 +191,7 @@ void reflect_ambient(const Shading& shading, const Refined* refined, const Piece
   }
 }
 
-void shade(const Shading& shading, const Refined* refined, const Piece& piece, Chunk& c) {
+void shade(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
   const std::size_t count = c.whole_blocks;
   const bool textured = scene.textures != nullptr;
@@ -211,7 +204,7 @@ void shade(const Shading& shading, const Refined* refined, const Piece& piece, C
   }
   const bool occluded = scene.surface.occlusion < 1;
   if (occluded) {
-    reflect_ambient(shading, refined, piece, c);
+    reflect_ambient(shading, c);
     for (Triple* sum : {&c.specular, &c.diffuse})
       for (Lane& lane : *sum)
         for (std::size_t i = 0; i < count; ++i) lane[i] *= real(scene.surface.occlusion);
@@ -253,7 +246,7 @@ void shade(const Shading& shading, const Refined* refined, const Piece& piece, C
         reflect(*shading.diffuse, scene.diffuse_values, nullptr, area.radiance, c.diffuse);
       }
     }
-  if (!occluded) reflect_ambient(shading, refined, piece, c);
+  if (!occluded) reflect_ambient(shading, c);
   for (std::size_t channel = 0; channel < 3; ++channel)
     if (const real emitted = real(scene.surface.emission[channel]); emitted > 0)
       for (std::size_t i = 0; i < count; ++i) c.specular[channel][i] += emitted;
@@ -353,10 +346,6 @@ template <class Target>
 void draw(const Scene& scene, const Environment* environment, unsigned threads, const Target& target,
           const RowsDone& rows_done) {
   const Shading shading(scene, environment);
-  std::optional<Refined> refined;
-  if (is_refined(scene, environment != nullptr))
-    refined = Refined{ambient_plan(scene), environment != nullptr ? &environment->refined(threads) : nullptr,
-                      scene.lights.hemispheres ? &*scene.lights.hemispheres : nullptr, shading.turn};
   const auto draw_row = [&](int row, Chunk& c) {
     const Camera::Span span = shading.camera.covered(row), whole = shading.camera.whole(row);
     draw_beside(shading, 0, span.first, row, target);
@@ -366,7 +355,7 @@ void draw(const Scene& scene, const Environment* environment, unsigned threads, 
       const Piece piece{row, x, static_cast<std::size_t>(std::max(0, whole.first - x)),
                         static_cast<std::size_t>(std::max(0, whole.last - x))};
       place_points(shading, piece, c);
-      shade(shading, refined ? &*refined : nullptr, piece, c);
+      shade(shading, c);
       target.put(x, row, c.count, [&](float* pixels) { store(shading, piece, c, pixels); });
     }
     draw_beside(shading, span.last, scene.width, row, target);

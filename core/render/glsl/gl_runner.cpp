@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <map>
+#include <sstream>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/render/glsl/gl_context.h"
-#include "core/render/glsl/gl_objects.h"
-#include "core/render/glsl/glsl_refined.h"
 
 namespace etak {
 namespace {
@@ -34,6 +33,198 @@ GlRunner::Info read_info() {
     info.software = info.software || info.renderer.find(each) != std::string::npos;
   return info;
 }
+
+// The driver's messages, each with the line of the shader that it names ("0:12(5): error" or "0(12) : error")
+// below it, so that a message can be understood without the shader.
+std::string with_lines(const std::string& log, const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  std::string out;
+  std::istringstream messages(log);
+  for (std::string message; std::getline(messages, message);) {
+    out += (out.empty() ? "" : "\n") + message;
+    const std::size_t digits = message.find_first_of("0123456789", message.find_first_of(":(") + 1);
+    if (message.find_first_of(":(") == std::string::npos || digits == std::string::npos) continue;
+    const std::size_t number = std::strtoul(message.c_str() + digits, nullptr, 10);
+    if (number >= 1 && number <= lines.size()) out += "\n  " + lines[number - 1];
+  }
+  return out;
+}
+
+// A linked program. The constructor throws Error with the driver's message.
+class Program {
+ public:
+  Program(const std::string& vertex, const std::string& fragment) : id_(glCreateProgram()) {
+    try {
+      attach(GL_VERTEX_SHADER, vertex);
+      attach(GL_FRAGMENT_SHADER, fragment);
+      glLinkProgram(id_);
+      GLint linked = 0, length = 0;
+      glGetProgramiv(id_, GL_LINK_STATUS, &linked);
+      if (linked) return;
+      glGetProgramiv(id_, GL_INFO_LOG_LENGTH, &length);
+      std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+      glGetProgramInfoLog(id_, length, nullptr, log.data());
+      throw Error::at("shader", log.c_str());
+    } catch (...) {
+      glDeleteProgram(id_);
+      throw;
+    }
+  }
+  ~Program() { glDeleteProgram(id_); }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  GLuint id() const { return id_; }
+
+  void set(const GlslUniform& uniform) const {
+    const GLint at = glGetUniformLocation(id_, uniform.name.c_str());
+    if (at < 0) return;  // the driver has removed it, because nothing uses it
+    const float* values = uniform.values.data();
+    switch (uniform.width) {
+      case 1:
+        glUniform1fv(at, uniform.count, values);
+        break;
+      case 2:
+        glUniform2fv(at, uniform.count, values);
+        break;
+      default:
+        glUniform3fv(at, uniform.count, values);
+        break;
+    }
+  }
+  void set_sampler(const char* name, GLint unit) const { glUniform1i(glGetUniformLocation(id_, name), unit); }
+
+ private:
+  void attach(GLenum kind, const std::string& text) const {
+    const GLuint shader = glCreateShader(kind);
+    const char* source = text.c_str();
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    GLint compiled = 0, length = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    if (!compiled) glGetShaderInfoLog(shader, length, nullptr, log.data());
+    glAttachShader(id_, shader);
+    glDeleteShader(shader);
+    if (!compiled) throw Error::at("shader", with_lines(log.c_str(), text));
+  }
+
+  GLuint id_;
+};
+
+// A framebuffer with one texture, which is bound while the value lives.
+class Target {
+ public:
+  Target(GLenum format, int width, int height) {
+    glGenFramebuffers(1, &frame_);
+    glGenTextures(1, &texture_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+      remove();
+      throw Error::at("OpenGL", "cannot draw into a target of " + std::to_string(width) + " x " +
+                                    std::to_string(height) + " pixels");
+    }
+    glViewport(0, 0, width, height);
+  }
+  ~Target() { remove(); }
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+
+ private:
+  void remove() {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &frame_);
+    glDeleteTextures(1, &texture_);
+  }
+  GLuint frame_ = 0, texture_ = 0;
+};
+
+// A float texture of three channels on texture unit `unit`. A latitude-longitude map is filtered bilinearly;
+// an array of numbers is read texel by texel.
+class FloatTexture {
+ public:
+  FloatTexture(int unit, const Image& map) : FloatTexture(unit, map.width, map.height, map.values) {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  FloatTexture(int unit, int width, int height, const std::vector<float>& rgb) {
+    glGenTextures(1, &id_);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    // Drivers read texels of four floats faster than those of three.
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGB, GL_FLOAT, rgb.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  }
+  ~FloatTexture() { glDeleteTextures(1, &id_); }
+  FloatTexture(const FloatTexture&) = delete;
+  FloatTexture& operator=(const FloatTexture&) = delete;
+
+ private:
+  GLuint id_ = 0;
+};
+
+// A texture of 8-bit codes on texture unit `unit`: four channels, sRGB-encoded colours, without filtering.
+class CodeTexture {
+ public:
+  CodeTexture(int unit, const Image8& rgba) {
+    glGenTextures(1, &id_);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, rgba.width, rgba.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 rgba.values.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  }
+  ~CodeTexture() { glDeleteTextures(1, &id_); }
+  CodeTexture(const CodeTexture&) = delete;
+  CodeTexture& operator=(const CodeTexture&) = delete;
+
+ private:
+  GLuint id_ = 0;
+};
+
+// Measures the time of drawing between start() and stop() by OpenGL's own clock, where it has one.
+class GpuClock {
+ public:
+  GpuClock() {
+    GLint bits = 0;
+    glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
+    if (bits > 0) glGenQueries(1, &query_);
+  }
+  ~GpuClock() {
+    if (query_ != 0) glDeleteQueries(1, &query_);
+  }
+  GpuClock(const GpuClock&) = delete;
+  GpuClock& operator=(const GpuClock&) = delete;
+
+  void start() const {
+    if (query_ != 0) glBeginQuery(GL_TIME_ELAPSED, query_);
+  }
+  void stop() const {
+    if (query_ != 0) glEndQuery(GL_TIME_ELAPSED);
+  }
+  /// The time between the last start() and stop(). Waits until OpenGL has finished drawing.
+  std::optional<double> milliseconds() const {
+    if (query_ == 0) return std::nullopt;
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(query_, GL_QUERY_RESULT, &nanoseconds);
+    return static_cast<double>(nanoseconds) * 1e-6;
+  }
+
+ private:
+  GLuint query_ = 0;
+};
 
 }  // namespace
 
@@ -73,40 +264,12 @@ struct GlRunner::State {
 
 namespace {
 
-// The ambient light of a refined scene, summed into a target of its own; no target where the scene is not refined.
-template <class State>
-std::unique_ptr<Target> refined(State& state, const Scene& scene, const Environment* environment) {
-  if (!is_refined(scene, environment != nullptr)) return nullptr;
-  auto target = std::make_unique<Target>(GL_RGBA32F, scene.width, scene.height);
-  const GlslRefined shader = glsl_refined(scene, environment, thread_count(0));
-  const Program& program = state.use(shader.text);
-  std::vector<std::unique_ptr<FloatTexture>> textures;
-  const auto add = [&](const std::string& name, const Image& map) {
-    const int unit = static_cast<int>(textures.size());
-    textures.push_back(std::make_unique<FloatTexture>(unit, map));
-    program.set_sampler(name.c_str(), unit);
-  };
-  add("ambient_samples", shader.plan.samples);
-  for (const auto& [name, map] : shader.textures) add(name, *map);
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
-  for (int pass = 0; pass < GlslRefined::passes; ++pass) {
-    program.set({"ambient_pass", 1, 1, false, {static_cast<float>(pass)}});
-    State::draw(shader.text.corners);
-  }
-  glDisable(GL_BLEND);
-  return target;
-}
-
 // Puts the program of a scene into use with its uniforms and textures, which stay bound while the value
 // lives.
 class Prepared {
  public:
   template <class State>
-  Prepared(State& state, const Scene& scene, const Environment* environment,
-           const Target* ambient = nullptr) {
+  Prepared(State& state, const Scene& scene, const Environment* environment) {
     validate(scene);
     if (scene.textures) throw Error::at("scene", "has textures", "one without them for this way of drawing");
     Scene drawn = scene;
@@ -115,11 +278,6 @@ class Prepared {
     const GlslText text = glsl_text(drawn);
     corners_ = text.corners;
     const Program& program = state.use(text);
-    if (ambient != nullptr) {
-      constexpr int unit = 8;  // past those of the environment
-      ambient->bind(unit);
-      program.set_sampler("ambient_picture", unit);
-    }
     if (environment == nullptr) return;
     const Environment::Blurred behind = environment->blurred(scene.backdrop.blur);
     const std::array maps{std::pair("environment_irradiance", &environment->irradiance_map()),
@@ -187,10 +345,8 @@ Image GlRunner::render(const Scene& scene, const Environment* environment, std::
   linear.tone = Tone::plain;
   linear.transfer = Transfer::linear;
   state_->context.make_current();
-  validate(scene);
-  const std::unique_ptr<Target> ambient = refined(*state_, linear, environment);
   const Target target(GL_RGBA32F, scene.width, scene.height);
-  const Prepared prepared(*state_, linear, environment, ambient.get());
+  const Prepared prepared(*state_, linear, environment);
   clear_to(scene.background);
   const GpuClock clock;
   clock.start();

@@ -57,47 +57,7 @@ std::string fetched_value(const Model& model, const Parameter& parameter, const 
   return "";
 }
 
-// Declares the texture `name` and the variable of its texel, and returns the code that sets it. What the texture does
-// not hold is a uniform.
-std::string texel_of(GlslGlue& glue, const std::string& name, bool holds_color, const Vec3& color,
-                     bool holds_number, double number) {
-  const std::string here = "    " + name + "_here";
-  std::string out;
-  glue.line("vec4 " + name + "_here;\n");
-  if (holds_color || holds_number) {
-    glue.declare("sampler2D", "surface_" + name);
-    out += here + " = texture(surface_" + name + ", texel_at);\n";
-  }
-  if (!holds_color) {
-    glue.uniform(name + "_color", color);
-    out += here + ".xyz = " + name + "_color;\n";
-  }
-  if (!holds_number) {
-    glue.uniform(name + "_number", number);
-    out += here + ".w = " + name + "_number;\n";
-  }
-  return out;
-}
-
 }  // namespace
-
-std::string texel_text(GlslGlue& glue, const Scene& scene) {
-  if (scene.textures == nullptr) {
-    if (scene.view) glue.leave_out("textures", "the surface is the same everywhere");
-    return "";
-  }
-  const SurfaceTextures::Quantities& has = scene.textures->has;
-  const SurfaceValues& surface = scene.surface;
-  const std::string out = texel_of(glue, "body", has.diffuse, surface.diffuse, has.opacity, surface.opacity) +
-                          texel_of(glue, "gloss", has.f0, surface.f0, has.gloss, surface.gloss);
-  std::string held;
-  for (const auto& [is_held, quantity] :
-       {std::pair(has.diffuse, "diffuse"), std::pair(has.opacity, "opacity"), std::pair(has.f0, "F0"),
-        std::pair(has.gloss, "gloss")})
-    if (is_held) held += (held.empty() ? "" : ", ") + std::string(quantity);
-  glue.use("textures", held.empty() ? "they hold nothing" : held);
-  return out;
-}
 
 std::string model_call(GlslGlue& glue, const std::string& part, const Model& model,
                        const std::vector<double>& values, double opacity, bool textured,

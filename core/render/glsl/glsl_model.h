@@ -19,8 +19,4 @@ std::string model_call(GlslGlue& glue, const std::string& part, const Model& mod
                        const std::vector<double>& values, double opacity, bool textured = false,
                        const TextureUse* textures = nullptr);
 
-/// Declares the scene's textures and the global variables body_here and gloss_here, and returns the code that sets these
-/// to the texels at `texel_at`; nothing where the scene has no textures.
-std::string texel_text(GlslGlue& glue, const Scene& scene);
-
 }  // namespace etak

@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/color/luminance.h"
-#include "core/render/ambient/refined.h"
 #include "core/render/ambient/round_lobe.h"
 #include "core/render/camera.h"
 #include "core/render/environment.h"
@@ -47,7 +46,7 @@ class SceneText {
 
   GlslText finish(GlslVersion version) {
     if (display_ != nullptr) glue_.line(display_->text);
-    texels_ = texel_text(glue_, scene_);
+    textures();
     if (textures_ != nullptr) fetches();
     brdf();
     // A lobe that knows no tangent needs no frame.
@@ -56,13 +55,9 @@ class SceneText {
     areas();
     const bool occluded = scene_.surface.occlusion < 1;
     if (occluded) light_code_ += "  vec3 direct = sum;\n  sum = vec3(0.0);\n";
-    if (is_refined(scene_, !scene_.lights.environment.empty())) {
-      ambient_picture();
-    } else {
-      if (scene_.lights.hemispheres || !scene_.lights.environment.empty()) make_ambient();
-      hemispheres();
-      environment();
-    }
+    if (scene_.lights.hemispheres || !scene_.lights.environment.empty()) make_ambient();
+    hemispheres();
+    environment();
     if (occluded) {
       glue_.uniform("occlusion", scene_.surface.occlusion);
       light_code_ += "  sum = direct + occlusion * sum;\n";
@@ -112,6 +107,43 @@ class SceneText {
            (combined
                 ? etak::body_is_black(*scene_.specular, scene_.specular_values)
                 : scene_.diffuse != nullptr && etak::body_is_black(*scene_.diffuse, scene_.diffuse_values));
+  }
+
+  // Declares the scene's textures, and the global variables that main() sets to the texels of its pixel.
+  void textures() {
+    if (!textured_) {
+      if (scene_.view) glue_.leave_out("textures", "the surface is the same everywhere");
+      return;
+    }
+    const SurfaceTextures::Quantities& has = scene_.textures->has;
+    const SurfaceValues& surface = scene_.surface;
+    texel_of("body", has.diffuse, surface.diffuse, has.opacity, surface.opacity);
+    texel_of("gloss", has.f0, surface.f0, has.gloss, surface.gloss);
+    std::string held;
+    for (const auto& [is_held, quantity] :
+         {std::pair(has.diffuse, "diffuse"), std::pair(has.opacity, "opacity"), std::pair(has.f0, "F0"),
+          std::pair(has.gloss, "gloss")})
+      if (is_held) held += (held.empty() ? "" : ", ") + std::string(quantity);
+    glue_.use("textures", held.empty() ? "they hold nothing" : held);
+  }
+
+  // Declares the texture `name` and the variable of its texel. What the texture does not hold is a uniform.
+  void texel_of(const std::string& name, bool holds_color, const Vec3& color, bool holds_number,
+                double number) {
+    const std::string here = "    " + name + "_here";
+    glue_.line("vec4 " + name + "_here;\n");
+    if (holds_color || holds_number) {
+      glue_.declare("sampler2D", "surface_" + name);
+      texels_ += here + " = texture(surface_" + name + ", texel_at);\n";
+    }
+    if (!holds_color) {
+      glue_.uniform(name + "_color", color);
+      texels_ += here + ".xyz = " + name + "_color;\n";
+    }
+    if (!holds_number) {
+      glue_.uniform(name + "_number", number);
+      texels_ += here + ".w = " + name + "_number;\n";
+    }
   }
 
   void brdf() {
@@ -211,14 +243,6 @@ class SceneText {
     }
     if (parts.empty()) return glue_.leave_out("environment", "neither a diffuse nor a specular part");
     glue_.use("environment", parts);
-  }
-
-  // The ambient light as glsl_refined() has summed it.
-  void ambient_picture() {
-    glue_.declare("sampler2D", "ambient_picture");
-    light_code_ += "  sum += texelFetch(ambient_picture, ivec2(gl_FragCoord.xy), 0).xyz;\n";
-    if (!scene_.lights.environment.empty()) environment_turn();
-    glue_.use("ambient light", std::to_string(scene_.ambient_samples) + " samples");
   }
 
   void environment_turn() {
