@@ -29,7 +29,7 @@ try() { # status of ./dev demo
 try 2 "Could not get lock /var/lib/apt/lists/lock. It is held by process 1 (apt-get)"
 [ "$status $(grep -c '^update' "$scratch/calls")" = "7 3" ] || { echo "did not wait: $status"; cat "$scratch"/{said,calls}; exit 1; }
 grep -q 'DPkg::Lock::Timeout=[1-9].* install' "$scratch/calls" || { echo "apt-get does not wait"; cat "$scratch/calls"; exit 1; }
-try 9 "Could not resolve 'deb.debian.org'"
+try 9 "Could not resolve 'mirror.example.org'"
 [ "$status $(grep -c . "$scratch/calls")" = "1 1" ] || { echo "went on: $status"; cat "$scratch"/{said,calls}; exit 1; }
 grep -q 'Could not resolve' "$scratch/said" || { echo "does not say why"; exit 1; }
 rm -rf "$scratch"
