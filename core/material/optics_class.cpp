@@ -59,14 +59,15 @@ void decide_class(Material& material, std::string_view formula) {
   const std::optional<double> n = optics == nullptr ? std::nullopt : seen_n(*optics);
   if (!n || !(*n > 0)) return;
   const std::optional<double> k = optics->k ? seen_value(*optics->k) : std::nullopt;
-  const double f0 = f64::f0(*n, k.value_or(0));
-  if (f0 < forbidden_zone_first ? k || *n >= 1 : k && *k < opaque_k && f0 <= most_assumed_f0) {
+  const double k_or_none = k.value_or(0);
+  const double f0 = f64::f0(*n, k_or_none);
+  if (f0 < forbidden_zone_first ? k || *n >= 1 : k && k_or_none < opaque_k && f0 <= most_assumed_f0) {
     material.class_by = ClassBy::numbers;
-  } else if (f0 >= forbidden_zone_first && k && *k >= opaque_k) {
-    material.class_by = *k >= metal_k && is_metal(formula) ? ClassBy::stated : ClassBy::numbers;
-    material.material_class = *k < metal_k        ? "semiconductor"
+  } else if (f0 >= forbidden_zone_first && k_or_none >= opaque_k) {
+    material.class_by = k_or_none >= metal_k && is_metal(formula) ? ClassBy::stated : ClassBy::numbers;
+    material.material_class = k_or_none < metal_k ? "semiconductor"
                               : is_metal(formula) ? "metal"
-                              : *k > *n           ? "conductor"
+                              : k_or_none > *n    ? "conductor"
                                                   : "semiconductor";
   }
 }
