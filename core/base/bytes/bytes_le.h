@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -29,8 +30,11 @@ inline void append_float(std::string& out, float value) {
 inline std::uint64_t number(std::string_view bytes, std::size_t at, int count) {
   assert(at + static_cast<std::size_t>(count) <= bytes.size());
   std::uint64_t value = 0;
-  for (int i = count; i-- > 0;)
-    value = value << 8 | static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(i)]);
+  if constexpr (std::endian::native == std::endian::little)  // one load, where GCC would build it byte by byte
+    std::memcpy(&value, bytes.data() + at, static_cast<std::size_t>(count));
+  else
+    for (int i = count; i-- > 0;)
+      value = value << 8 | static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(i)]);
   return value;
 }
 inline std::uint32_t number32(std::string_view bytes, std::size_t at) {

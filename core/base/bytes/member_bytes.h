@@ -106,6 +106,16 @@ class MemberReader {
     // Room for more is made when there turns out to be more: the number may be anybody's.
     constexpr std::size_t most_at_once = 64;
     const std::size_t count = length();
+    if constexpr (std::is_same_v<Value, double>) {
+      // The bytes that are left bound the numbers, so that all of them have their room at once.
+      constexpr std::size_t size = 8;
+      if (count > bytes_.size() / size) return fail();
+      values.resize(count);
+      for (std::size_t i = 0; i < count; ++i)
+        values[i] = std::bit_cast<double>(bytes_le::number64(bytes_, i * size));
+      bytes_.remove_prefix(count * size);
+      return;
+    }
     values.reserve(std::min(count, most_at_once));
     for (std::size_t i = 0; i < count && good_; ++i) member(values.emplace_back());
   }

@@ -79,8 +79,10 @@ F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& jo
   F0Outcome out;
   out.row.path = input.label();
   if (input.kind == MaterialInput::Kind::material) {
-    answer_dataset(job.tables.states() ? read_material(input, job.tables) : *input.material, input, job,
-                   out.row);
+    if (job.tables.states())
+      answer_dataset(read_material(input, job.tables), input, job, out.row);
+    else
+      answer_dataset(*input.material, input, job, out.row);
     return out;
   }
   start_lap(job);
