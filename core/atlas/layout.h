@@ -85,9 +85,9 @@ struct AtlasLayout {
   std::vector<AtlasMaterialRow> materials;  // by name
   std::string settings_hash, content_hash;
   std::vector<std::string> other_files;  // "scene.gltf", ...
-  // Of every file but the layout itself as it was written: 64 hexadecimal digits by name. Layouts of earlier versions
+  // Of every file but the layout itself as it was written: 32 hexadecimal digits of XXH3 by name. Layouts of earlier versions
   // have none.
-  std::map<std::string, std::string> sha256;
+  std::map<std::string, std::string> xxh128;
   friend bool operator==(const AtlasLayout&, const AtlasLayout&) = default;
 };
 

@@ -193,8 +193,8 @@ std::string layout_json(const AtlasLayout& layout) {
       {"other_files", json_array_of(layout.other_files)},
   };
   std::vector<JsonMember> hashes;
-  for (const auto& [file, hash] : layout.sha256) hashes.push_back({file, json(hash)});
-  if (!hashes.empty()) members.push_back({"sha256", json_object(hashes, 2)});
+  for (const auto& [file, hash] : layout.xxh128) hashes.push_back({file, json(hash)});
+  if (!hashes.empty()) members.push_back({"xxh128", json_object(hashes, 2)});
   return json_object(members, 0) + "\n";
 }
 
@@ -221,10 +221,10 @@ AtlasLayout parse_layout(std::string_view text, std::string_view file) {
       root.at("rects").each([&](const JsonNode& rect) { return read_layout_rect(rect, out.pages.size()); });
   out.materials = root.at("materials").each(read_material_row);
   if (root.has("other_files")) out.other_files = root.at("other_files").each(read_file_name);
-  if (root.has("sha256")) {
-    const JsonNode hashes = root.at("sha256");
+  if (root.has("xxh128")) {
+    const JsonNode hashes = root.at("xxh128");
     hashes.expect_object();
-    for (const auto& [name, ignored] : hashes.value.items()) out.sha256[name] = hashes.at(name).text();
+    for (const auto& [name, ignored] : hashes.value.items()) out.xxh128[name] = hashes.at(name).text();
   }
   return out;
 }

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/hash/sha256.h"
+#include "core/base/hash/content_hash.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
 
@@ -58,10 +58,10 @@ std::string remove_earlier(OutputFolder& folder, const EarlierAtlas& earlier,
     sys::FileInfo info;
     const std::string path = earlier.folder + '/' + name;
     if (names.contains(name) || !sys::file_info(path, info)) continue;
-    const auto& written = earlier.layout->sha256;
+    const auto& written = earlier.layout->xxh128;
     const auto hash = written.find(name);
     if (info.kind == sys::FileInfo::Kind::file && earlier.inputs.find(info) == nullptr &&
-        hash != written.end() && sha256_of_file(path) == hash->second)
+        hash != written.end() && content_hash_of_file(path) == hash->second)
       folder.remove_old(name);
     else
       left.push_back(printable(path, 200));

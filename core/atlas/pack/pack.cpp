@@ -21,7 +21,7 @@
 #include "core/base/files/output_target.h"
 #include "core/base/files/read_places.h"
 #include "core/base/files/steady_file.h"
-#include "core/base/hash/sha256.h"
+#include "core/base/hash/content_hash.h"
 
 namespace etak {
 namespace {
@@ -75,7 +75,7 @@ std::vector<std::string> complete(OutputFolder& folder, const PackOptions& optio
   for (const AtlasPage& page : layout.pages)
     for (const auto& names : page.files) files.insert(names.begin(), names.end());
   for (const std::string& name : files) {
-    std::string& hash = layout.sha256[name] = sha256_of_file(folder.path_until_commit(name));
+    std::string& hash = layout.xxh128[name] = content_hash_of_file(folder.path_until_commit(name));
     if (hash.empty()) throw Error::at(name, "cannot be read again after it was written");
   }
   folder.write(layout_file_name, layout_json(layout));

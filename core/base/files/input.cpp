@@ -291,6 +291,29 @@ OpenedInput open_input(const std::string& path, std::size_t most, SeenAsFile see
   return out;
 }
 
+bool take_bytes(const std::string& path, sys::FileInfo& info, SeenAsFile seen,
+                const std::function<void(std::string_view)>& take) {
+  try {
+    const OpenedInput input = open_input(path, SIZE_MAX, seen);
+    info = input.info;
+    // Not filled with zeros, which would take longer than the reading of a small file. One byte more than there is, so
+    // that one call sees the end of a small file.
+    constexpr std::size_t at_once = std::size_t{1} << 18;
+    const std::size_t wanted = input.size > 0 && input.size < at_once ? input.size + 1 : at_once;
+    const auto buffer = std::make_unique_for_overwrite<char[]>(wanted);
+    for (std::size_t all = 0;;) {
+      const std::ptrdiff_t got = sys::read(input.file.get(), buffer.get(), wanted);
+      if (got < 0) return false;
+      const auto count = static_cast<std::size_t>(got);
+      take({buffer.get(), count});
+      all += count;
+      if (count == 0 || (count < wanted && input.size > 0 && all >= input.size)) return true;
+    }
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 std::string read_head(const std::string& path, std::size_t count) {
   if (Pipe* const pipe = accepted_pipe(path)) return pipe->head(count, timeout_of_inputs());
   const OpenedInput opened = open_regular(path);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,6 +63,11 @@ enum class SeenAsFile { no, yes };
 /// `most` bytes (a pipe is not read further than that), is a pipe that nothing came from in time, or is a
 /// pointer of Git LFS.
 OpenedInput open_input(const std::string& path, std::size_t most, SeenAsFile seen = SeenAsFile::no);
+
+/// Hands all bytes of a file to `take`, piece by piece; false where it cannot be read to its end.
+///   info   what was known of the file before its bytes were read
+bool take_bytes(const std::string& path, sys::FileInfo& info, SeenAsFile seen,
+                const std::function<void(std::string_view)>& take);
 
 /// The first `count` bytes, fewer where the file is shorter; of a pipe no more is read. Throws as
 /// open_input().

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "core/base/bytes/hex.h"
+#include "core/base/files/input.h"
 
 namespace etak {
 namespace {
@@ -38,6 +39,13 @@ std::array<std::uint64_t, 2> ContentHash::value() const {
 std::string ContentHash::hex() const {
   const auto [high, low] = value();
   return etak::hex(high) + etak::hex(low);
+}
+
+std::string content_hash_of_file(const std::string& path) {
+  ContentHash hash;
+  sys::FileInfo info;
+  const auto add = [&](std::string_view bytes) { hash.add(bytes); };
+  return take_bytes(path, info, SeenAsFile::no, add) ? hash.hex() : "";
 }
 
 }  // namespace etak

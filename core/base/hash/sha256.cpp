@@ -8,10 +8,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <memory>
 
 #include "core/base/bytes/hex.h"
-#include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/hash/sha256_blocks.h"
 
@@ -165,26 +163,8 @@ std::string sha256_of_file(const std::string& path) {
 }
 
 std::string sha256_of_file(const std::string& path, sys::FileInfo& info, SeenAsFile seen) {
-  try {
-    const OpenedInput input = open_input(path, SIZE_MAX, seen);
-    info = input.info;
-    Sha256 hash;
-    // Not filled with zeros, which would take longer than the reading of a small file. One byte more than there is, so
-    // that one call sees the end of a small file.
-    constexpr std::size_t at_once = std::size_t{1} << 18;
-    const std::size_t wanted = input.size > 0 && input.size < at_once ? input.size + 1 : at_once;
-    const auto buffer = std::make_unique_for_overwrite<char[]>(wanted);
-    for (std::size_t all = 0;;) {
-      const std::ptrdiff_t got = sys::read(input.file.get(), buffer.get(), wanted);
-      if (got < 0) return {};
-      const auto count = static_cast<std::size_t>(got);
-      hash.add({buffer.get(), count});
-      all += count;
-      if (count == 0 || (count < wanted && input.size > 0 && all >= input.size)) return hash.finish();
-    }
-  } catch (const Error&) {
-    return {};
-  }
+  Sha256 hash;
+  return take_bytes(path, info, seen, [&](std::string_view bytes) { hash.add(bytes); }) ? hash.finish() : "";
 }
 
 }  // namespace etak

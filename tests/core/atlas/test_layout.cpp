@@ -36,7 +36,7 @@ AtlasLayout layout() {
   out.materials.push_back(row);
   out.settings_hash = "12", out.content_hash = "34";
   out.other_files = {"scene.gltf"};
-  out.sha256 = {{"scene.gltf", std::string(64, 'a')}, {"a \"quoted\" name", "b"}};
+  out.xxh128 = {{"scene.gltf", std::string(32, 'a')}, {"a \"quoted\" name", "b"}};
   return out;
 }
 
