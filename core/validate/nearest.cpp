@@ -40,6 +40,7 @@ std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
                        d == material.preferred,
                        optical_kind(material.material_class) == "conductor",
                        material.common,
+                       material.material_class == "gem",
                        {f0.srgb_linear.r, f0.srgb_linear.g, f0.srgb_linear.b},
                        f0.luminance});
     }

@@ -20,6 +20,7 @@ struct KnownF0 {
   bool preferred = false;
   bool conductor = false;          // metals, alloys, conductors
   bool common = false;             // Material::common
+  bool gem = false;                // of the class gem
   std::array<double, 3> linear{};  // linear sRGB, not clipped
   double luminance = 0;
 };

@@ -77,6 +77,10 @@ double CodeTables::decode(double code) const {
   return decode_of(transfer_, code / 255);
 }
 
+double CodeTables::moved(double limit, double codes) const {
+  return limit <= 0 || limit >= 1 ? limit : decode(255 * encode_of(transfer_, limit) + codes);
+}
+
 std::uint32_t first_above(double limit) {
   return static_cast<std::uint32_t>(std::floor(limit * linear_one)) + 1;
 }

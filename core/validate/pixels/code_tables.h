@@ -12,6 +12,10 @@ namespace etak {
 double decode_of(TextureTransfer transfer, double encoded);
 double encode_of(TextureTransfer transfer, double linear);
 
+/// What the rounding to a code takes from a value or adds to it at most. The zone's limits lie so much further in,
+/// so that a value on a limit is not in the zone on whichever side its code has fallen.
+inline constexpr double half_a_code = 0.5;
+
 /// The linear value 1 in the integers of the byte pass, whose unit is 2^-24.
 inline constexpr std::uint32_t linear_one = 1u << 24;
 
@@ -45,6 +49,8 @@ struct CodeTables {
   /// Code (rounded half up) of a linear value clamped to [0, 1].
   std::uint8_t encode(double linear) const;
   double decode(double code) const;  // also for codes with a fraction, as means have
+  /// A linear limit so many codes further on; 0 and 1 stay where they are.
+  double moved(double limit, double codes) const;
 
  private:
   static constexpr unsigned code_shift = 12;

@@ -106,8 +106,9 @@ PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool ha
   plan.specular_weighs = target.manifest.specular_weighs_diffuse;
 
   plan.b_y = {first_at_least(value_of("ETK103", "max_luminance", settings)),
-              first_above(value_of("ETK105", "min_luminance", settings)), first_above(settings.zone.low),
-              first_at_least(settings.zone.high)};
+              first_above(value_of("ETK105", "min_luminance", settings)),
+              first_above(tables.moved(settings.zone.low, half_a_code)),
+              first_at_least(tables.moved(settings.zone.high, -half_a_code))};
   plan.a_y = {grey(tables, byte_of(value_of("ETK202", "min_byte", settings), 1)),
               grey(tables, byte_of(value_of("ETK203", "max_byte", settings)) + 1)};
   ByteLimits& limits = plan.limits;

@@ -31,7 +31,7 @@ constinit const Rule etk105_f0_gem_range{
     "Hoffman: only gemstones and diamond-like materials; MoonRay calls an index above 1.788 "
     "invalid for its dielectric",
     "A plateau with luminance between 0.0812 and the lower end of the forbidden zone (sRGB "
-    "codes 81 to 123).",
+    "codes 81 to 124).",
     "Few things other than gems, some oxides and paints with metal flakes reflect that much.",
     "A specular map painted by eye, at a third of full range.",
     "Check the material; plastic, wood, stone and skin lie at codes 44 to 66.",

@@ -10,6 +10,8 @@ namespace {
 
 constexpr RuleParameter etk402_parameters[] = {
     {"share", 80, 80, "%", "of the achromatic non-metal plateau area, and of the texels"},
+    {"named_codes", 3, 3, "codes", "distance at which the material that the file names explains a plateau"},
+    {"gem_codes", 0.5, 0.5, "codes", "distance at which a gem of the library explains a plateau"},
 };
 
 // Share of the texels darker than metals whose green has the codes of dielectrics encoded twice. A plateau is
@@ -26,7 +28,22 @@ double doubled_share(const RuleCheck& check, const TileEvidence& tile) {
   return below == 0 ? 0 : static_cast<double>(doubled) / static_cast<double>(below);
 }
 
+// Whether the codes are those of the material that the file names, or of a gem.
+bool is_gem(const RuleCheck& check, const TileEvidence& tile, const Plateau& plateau) {
+  const KnownMaterials& known = known_materials(check.settings);
+  const auto within = [&](const KnownF0& entry, double codes) {
+    return code_distance(plateau.specular, entry, check.settings.transfer) <= codes;
+  };
+  for (const KnownF0* entry : known.f0_of(tile.tile.material))
+    if (within(*entry, check.parameter("named_codes"))) return true;
+  return std::ranges::any_of(known.f0(), [&](const KnownF0& entry) {
+    return entry.preferred && entry.gem && entry.luminance > most_dielectric_f0 &&
+           within(entry, check.parameter("gem_codes"));
+  });
+}
+
 void etk402(RuleCheck& check) {
+  const double gems_end = check.tables.moved(check.settings.zone.low, half_a_code);
   for (const TileEvidence& tile : check.evidence.tiles) {
     const PlateauSummary* plateaus = tile.region(RegionKind::any_f0);
     if (plateaus == nullptr || plateaus->regions == 0 || check.settings.transfer == TextureTransfer::linear)
@@ -43,8 +60,9 @@ void etk402(RuleCheck& check) {
       grey += plateau.area;
       if (!doubled_dielectric_codes.holds(check.tables.encode(luminance_of(plateau.specular)))) continue;
       if (has_diffuse && luminance_of(plateau.diffuse) <= 0.004) continue;
+      if (is_gem(check, tile, plateau)) continue;
       doubled += plateau.area;
-      above_gems = above_gems || luminance_of(plateau.specular) > check.settings.zone.low;
+      above_gems = above_gems || luminance_of(plateau.specular) > gems_end;
       if (shown == nullptr) shown = &plateau;
     }
     if (shown == nullptr ||
@@ -82,7 +100,9 @@ constinit const Rule etk402_specular_double_encoded{
     "texels darker than metals (a wide ramp has their mean only). Plateaus over black diffuse "
     "are not judged: a grey metal stored linear has the same codes. A warning where there "
     "is no diffuse picture, and where all of it lies below the forbidden zone: F0 0.02 to "
-    "0.03 encoded twice has the codes of diamond, 109 to 120.",
+    "0.03 encoded twice has the codes 109 to 120. Plateaus that the material which the file names explains, "
+    "or whose "
+    "three codes are those of a gem (diamond: 115 115 117), are not counted.",
     "One conversion too many in the export chain.",
     "An sRGB texture read as linear and encoded on writing.",
     "Remove one of the two conversions.",

@@ -74,7 +74,7 @@ TEST_CASE("found 3.8: a comb beside a flat area is found") {
 TEST_CASE(
     "found 3.7: an unnamed F0 in the zone is an error, unless a common material has it, which is named") {
   std::vector<int> warned;
-  for (int code = 124; code <= 178; ++code) {
+  for (int code = 125; code <= 177; ++code) {
     TextureSet set = wall(64);
     paint(set.b, {20, 20, 16, 16}, {code, code, code});
     const CheckedFile file = check_set(set);
@@ -313,4 +313,41 @@ TEST_CASE("found 3.10: a metallic value has no nearest materials") {
   REQUIRE(find(file, "ETK113") != nullptr);
   CHECK(find(file, "ETK113")->nearest.empty());
   CHECK(find(file, "ETK113")->value == "metallic 0.5");
+}
+
+TEST_CASE("what lies half a code inside a limit of the zone is not in it") {
+  // Hoffman prints 0.200 as code 124, which stands for 0.2016.
+  for (const auto& [code, in_zone] :
+       {std::pair(124, false), std::pair(125, true), std::pair(177, true), std::pair(179, false)}) {
+    const CheckedFile file = check_set(flat_set(64, {code, code, code}, {0, 0, 0}));
+    INFO("code " << code << "\n" << file.findings.size());
+    CHECK((find(file, "ETK101") != nullptr) == in_zone);
+  }
+  CHECK(errors(check_set(flat_set(64, {124, 124, 124}, {120, 110, 100}))) == 0);
+}
+
+TEST_CASE("the codes of diamond are not taken for a dielectric that was encoded twice") {
+  CHECK(find(check_set(flat_set(64, {115, 115, 117}, {20, 20, 20})), "ETK402") == nullptr);
+  CHECK(find(check_set(flat_set(64, {117, 117, 117}, {90, 90, 90})), "ETK402") != nullptr);
+  TextureSet named = flat_set(64, {114, 115, 114}, {20, 20, 20});
+  CHECK(find(check_set(named), "ETK402") != nullptr);
+  named.manifest.material = "diamond";
+  CHECK(find(check_set(named), "ETK402") == nullptr);
+}
+
+TEST_CASE("two values of F0 in a picture whose materials nobody names are told") {
+  TextureSet set = wall(128);
+  each_texel(set.b, [&](auto texel, int x, int y) {
+    const int code = (x / 8 + y / 8) % 2 == 0 ? 39 : 90;
+    set_rgb(texel, {code, code, code});
+  });
+  const CheckedFile file = check_set(set);
+  REQUIRE(find(file, "ETK110") != nullptr);
+  CHECK(find(file, "ETK110")->severity == Severity::info);
+  CHECK(find(file, "ETK110")->value == "codes 39 and 90");
+  CHECK(find(check_set(wall(128)), "ETK110") == nullptr);
+  // Beside metal there is one dielectric.
+  paint(set.b, {0, 0, 128, 128}, {56, 56, 56});
+  paint(set.b, {0, 0, 64, 128}, {240, 230, 200});
+  CHECK(find(check_set(set), "ETK110") == nullptr);
 }
