@@ -33,37 +33,23 @@ std::optional<std::vector<std::array<double, grid_size>>> own_table(const Keywor
       values.ndim() != (columns > 1 ? 2 : 1))
     throw Error::at(name, "shapes " + shape_text(nm) + " and " + shape_text(values),
                     columns > 1 ? "(M,) and (M, 3)" : "(M,) and (M,)");
-  std::vector<std::array<double, grid_size>> out(columns);
-  for (std::size_t c = 0; c < columns; ++c) {
-    Spectrum column{{nm.data(), nm.data() + rows}, std::vector<double>(rows)};
-    for (std::size_t i = 0; i < rows; ++i) column.value[i] = values.data()[columns * i + c];
-    validate(column, name);
-    if (column.first_nm() > visible_first_nm || column.last_nm() < visible_last_nm)
-      throw Error::at(
-          name, "a table of " + number(column.first_nm(), 6) + "-" + number(column.last_nm(), 6) + " nm",
-          "one that holds 380-780 nm");
-    resample_to_grid(column, out[c]);
-    for (std::size_t i = 0; i < grid_size; ++i) {
-      const double at = grid_first_nm + static_cast<double>(i);
-      if (at < column.first_nm() || at > column.last_nm()) out[c][i] = 0;
-    }
-  }
+  std::vector<Spectrum> out(columns, {{nm.data(), nm.data() + rows}, std::vector<double>(rows)});
+  for (std::size_t c = 0; c < columns; ++c)
+    for (std::size_t i = 0; i < rows; ++i) out[c].value[i] = values.data()[columns * i + c];
   return out;
 }
 
 }  // namespace
 
-GivenF0Settings f0_settings(const Keywords& given) {
-  GivenF0Settings out;
+F0Settings f0_settings(const Keywords& given) {
+  F0Settings out;
   if (const auto table = own_table(given, "observer", 3)) {
-    std::array<std::array<double, 3>, grid_size> rows{};
-    for (std::size_t i = 0; i < grid_size; ++i) rows[i] = {(*table)[0][i], (*table)[1][i], (*table)[2][i]};
-    out.own_observer = own_observer(rows);
+    out.own_observer = observer_of_table({(*table)[0], (*table)[1], (*table)[2]}, "observer");
   } else {
     out.observer = given.text("observer");
   }
   if (const auto table = own_table(given, "illuminant", 1))
-    out.own_illuminant = own_illuminant(table->front());
+    out.own_illuminant = illuminant_of_table(table->front(), "illuminant");
   else
     out.illuminant = given.text("illuminant");
   out.interpolation = given.text("interpolation");
@@ -86,18 +72,10 @@ TableSettings table_settings(const Keywords& given) {
   return out;
 }
 
-F0Options options_of(const GivenF0Settings& settings, const Library& library) {
-  F0Options out =
-      f0_options(settings, library.when_asked(), [](const std::string& config, const std::string& name) {
-        return pictures(setting("space")).open_space(config, name);
-      });
-  if (settings.own_observer) out.viewing.observer = *settings.own_observer;
-  if (settings.own_illuminant) out.viewing.illuminant = *settings.own_illuminant;
-  if (settings.own_observer || settings.own_illuminant)
-    if (const double y = make_quadrature(Method::nm1, out.viewing).white()[1]; !(std::abs(y - 1) < 1e-6))
-      throw Error::at(setting("illuminant"), "no light that the observer sees",
-                      "a sum of power and y above 0");
-  return out;
+F0Options options_of(const F0Settings& settings, const Library& library) {
+  return f0_options(settings, library.when_asked(), [](const std::string& config, const std::string& name) {
+    return pictures(setting("space")).open_space(config, name);
+  });
 }
 
 namespace {

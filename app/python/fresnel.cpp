@@ -61,7 +61,7 @@ Array fresnel(const py::object& material, const py::object& cos_theta, const std
               const std::string& dataset, const py::dict& given, const Library& library, int threads) {
   const AskedMaterial asked = asked_material(material, dataset);
   const Array cosines = doubles(cos_theta, "cos_theta");
-  const GivenF0Settings settings = f0_settings({given});
+  const F0Settings settings = f0_settings({given});
   const TableSettings tables = table_settings({given});
   std::vector<py::ssize_t> shape(cosines.shape(), cosines.shape() + cosines.ndim());
   shape.push_back(3);

@@ -139,21 +139,15 @@ struct Keywords {
 /// The line of repr(): "<etak.NAME TEXT>", which a terminal can show whatever the text holds.
 std::string repr_line(const char* name, const std::string& text);
 
-/// Settings of F0, with the observer and the illuminant where these are tables of the caller's, which live as long.
-struct GivenF0Settings : F0Settings {
-  std::shared_ptr<const Observer> own_observer;
-  std::shared_ptr<const Illuminant> own_illuminant;
-};
-
 /// The settings that a dictionary holds by their keywords, which are those of F0 and of tables.
-GivenF0Settings f0_settings(const Keywords& given);
+F0Settings f0_settings(const Keywords& given);
 TableSettings table_settings(const Keywords& given);
 
 /// The names of flags, in their order.
 std::vector<std::string> flag_names(Flags flags);
 
 /// The solver's options.
-F0Options options_of(const GivenF0Settings& settings, const Library& library);
+F0Options options_of(const F0Settings& settings, const Library& library);
 
 // ---- pictures
 

@@ -177,7 +177,7 @@ py::tuple export_call(const std::vector<py::object>& materials, const std::strin
   call.fit = setting_value("fit", how.text("fit"), call.fit, fit_named, "clamp or preserve-hue");
   call.form = setting_value("gltf-form", how.text("gltf_form"), call.form, gltf_material_form_named,
                             "specular-ior or specular-glossiness");
-  const GivenF0Settings settings = f0_settings(how);
+  const F0Settings settings = f0_settings(how);
   const TableSettings tables = table_settings(how);
   LongWork work;
   Exported out = work.unlocked([&] {

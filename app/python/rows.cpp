@@ -214,7 +214,7 @@ Array f0_of_rows(const py::object& n, const py::object& k, const py::object& ref
                  const py::object& wavelength, const py::dict& given, const Library& library, int threads) {
   Rows rows = rows_of(n, k, reflectance, wavelength);
   in_nm(rows, given);
-  const GivenF0Settings settings = f0_settings({given});
+  const F0Settings settings = f0_settings({given});
   std::vector<py::ssize_t> shape{3};
   if (!rows.one) shape.insert(shape.begin(), static_cast<py::ssize_t>(rows.count));
   Array out(shape);

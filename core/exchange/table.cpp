@@ -43,8 +43,14 @@ struct Block {
   std::vector<TableRow> rows;
 };
 
+// The quantities of the three places of a row, which other columns take in their order.
+constexpr std::array places{Quantity::n, Quantity::k, Quantity::reflectance};
 std::size_t place_of(Quantity quantity) {
-  return quantity == Quantity::n ? 0 : quantity == Quantity::k ? 1 : 2;
+  return static_cast<std::size_t>(std::ranges::find(places, quantity) - places.begin());
+}
+
+bool is_axis(const Column& column) {
+  return column.quantity == Quantity::wavelength || column.quantity == Quantity::energy;
 }
 
 // Without a comment, which starts at a '#' outside quotes, and without the end of the line.
@@ -60,10 +66,25 @@ std::string_view content(std::string_view line) {
 
 class TableReader {
  public:
-  TableReader(std::string_view text, std::string_view file, const TableOptions& options)
-      : text_(text), file_(file), options_(options) {}
+  /// others   how many columns of other quantities than n, k and R; 0: of these
+  TableReader(std::string_view text, std::string_view file, const TableOptions& options,
+              std::size_t others = 0)
+      : text_(text), file_(file), options_(options), others_(others) {}
 
   Table read() {
+    read_blocks();
+    return assemble();
+  }
+
+  std::vector<Spectrum> read_others() {
+    read_blocks();
+    std::vector<Spectrum> out;
+    for (std::size_t c = 0; c < others_; ++c) out.push_back(spectrum(blocks_.front(), c));
+    return out;
+  }
+
+ private:
+  void read_blocks() {
     if (text_.empty()) throw Error::at(file_, "the file is empty");
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     std::size_t at = 0;
@@ -75,10 +96,8 @@ class TableReader {
     }
     if (blocks_.empty()) throw Error::at(file_, "no rows", "a header and rows of numbers");
     for (auto& block : blocks_) finish(block);
-    return assemble();
   }
 
- private:
   [[noreturn]] void fail(std::size_t line, std::string_view found, std::string_view expected = {}) const {
     throw Error::at_line(file_, line, found, expected);
   }
@@ -96,8 +115,9 @@ class TableReader {
     } else if (!blocks_.empty() &&
                (!options_.columns.empty() || blocks_.back().rows.empty() || !is_header(line))) {
       fail(line_, fields_.empty() ? in_quotes(line) : in_quotes(fields_[0]), "a finite number");
-    } else if (blocks_.size() == 2) {
-      fail(line_, "a third header", "at most a block with n and one with k");
+    } else if (blocks_.size() == (others_ > 0 ? 1 : 2)) {
+      fail(line_, others_ > 0 ? "a second header" : "a third header",
+           others_ > 0 ? "one" : "at most a block with n and one with k");
     } else {
       read_header(line);
     }
@@ -144,14 +164,20 @@ class TableReader {
     Block block;
     block.line = line_;
     std::optional<WavelengthUnit> unit;
-    std::size_t axes = 0;
+    std::size_t axes = 0, others = 0;
     for (const auto& name : names) {
       Column column;
       std::string problem;
-      if (!parse_column(name, column, problem)) throw Error::at(place, problem, expected);
+      const bool known = parse_column(name, column, problem);
+      if (others_ > 0 && !is_axis(column) && name != "_") {
+        if (++others == 1 + others_) break;
+        column = {places[others - 1], {}, 1};
+      } else if (!known) {
+        throw Error::at(place, problem, expected);
+      }
       block.columns.push_back(column);
       if (column.quantity == Quantity::skipped) continue;
-      if (column.quantity == Quantity::wavelength || column.quantity == Quantity::energy) {
+      if (is_axis(column)) {
         ++axes;
         unit = column.unit;
         continue;
@@ -160,6 +186,9 @@ class TableReader {
       if (has) throw Error::at(place, "the column " + in_quotes(name) + " twice");
       has = true;
     }
+    if (others != others_)
+      throw Error::at(place, others < others_ ? "too few columns" : "more columns",
+                      "one of wavelength and " + std::to_string(others_) + " more");
     if (axes != 1)
       throw Error::at(place,
                       axes == 0 ? "no column of wavelength or energy" : "more than one column of wavelength",
@@ -195,6 +224,10 @@ class TableReader {
 
   void take(const Block& block, const Column& column, double value, TableRow& row) {
     const auto shown = [&] { return number(value, 9); };
+    if (others_ > 0 && !is_axis(column)) {
+      row.value[place_of(column.quantity)] = value;
+      return;
+    }
     switch (column.quantity) {
       case Quantity::wavelength:
       case Quantity::energy:
@@ -331,6 +364,7 @@ class TableReader {
 
   std::string_view text_, file_;
   const TableOptions& options_;
+  std::size_t others_;
   std::size_t line_ = 0, next_ = 0;
   std::vector<Block> blocks_;
   std::vector<std::string_view> fields_;
@@ -400,6 +434,11 @@ double to_nm(double value, WavelengthUnit unit) {
 
 Table parse_table(std::string_view text, std::string_view file, const TableOptions& options) {
   return TableReader(text, file, options).read();
+}
+
+std::vector<Spectrum> parse_columns(std::string_view text, std::string_view file, std::size_t count,
+                                    const TableOptions& options) {
+  return TableReader(text, file, options, count).read_others();
 }
 
 TableOptions table_options(const TableSettings& settings) {

@@ -56,4 +56,9 @@ struct Table {
 /// rows named), no row inside 300..900 nm (with a hint which unit would fit).
 Table parse_table(std::string_view text, std::string_view file, const TableOptions& options);
 
+/// Reads a table of other quantities in the same way: one column of wavelength or energy and `count` more (1 to 3),
+/// whatever their names say, in the order of the file.
+std::vector<Spectrum> parse_columns(std::string_view text, std::string_view file, std::size_t count,
+                                    const TableOptions& options = {});
+
 }  // namespace etak

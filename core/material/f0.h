@@ -50,6 +50,9 @@ struct F0Options {
   std::optional<CustomSpace> custom_space;  // when set, in place of `space`
   OutsideMedium outside;
   bool allow_extrapolation = false;
+  // Keep the tables of a viewing of one's own (core/spectrum/own_viewing.h).
+  std::shared_ptr<const Observer> own_observer;
+  std::shared_ptr<const Illuminant> own_illuminant;
 };
 
 /// Name of the output space: of `custom_space` where set, else of `space`.

@@ -2,6 +2,7 @@
 // What F0 results and options are called in outputs.
 #include "core/base/number.h"
 #include "core/material/f0.h"
+#include "core/spectrum/own_viewing.h"
 
 namespace etak {
 
@@ -41,6 +42,8 @@ std::string policy(const F0Options& o) {
             : o.viewing.observer == Observer::cie1964_10deg ? ", 360-830 nm; CIE 1964 10-degree"
                                                             : ", 360-830 nm; own";
     text.append(" observer; illuminant ").append(name(o.viewing.illuminant));
+    if (o.own_illuminant)
+      if (const std::string said = light_remark(*o.own_illuminant); !said.empty()) text += " (" + said + ")";
     text += "; white is the same sum for R = 1";
   }
   text.append("; outside medium ").append(o.outside.label);

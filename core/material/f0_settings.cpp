@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/material/f0_settings.h"
 
+#include <cmath>
 #include <cstdlib>
 
 #include "core/base/error.h"
@@ -35,15 +36,28 @@ void set_space(const F0Settings& settings, const OpenSpace& open_space, F0Option
     out.custom_space = open_space(settings.ocio, settings.space);
 }
 
+void set_viewing(const F0Settings& settings, F0Options& out) {
+  out.own_observer = settings.own_observer;
+  out.own_illuminant = settings.own_illuminant;
+  out.viewing.observer = out.own_observer ? *out.own_observer
+                                          : setting_value("observer", settings.observer, out.viewing.observer,
+                                                          observer_named, "1931-2deg or 1964-10deg");
+  out.viewing.illuminant = out.own_illuminant
+                               ? *out.own_illuminant
+                               : setting_value("illuminant", settings.illuminant, out.viewing.illuminant,
+                                               illuminant_named, "D65, D50, A or E");
+  if (out.own_observer || out.own_illuminant)
+    if (const double y = make_quadrature(Method::nm1, out.viewing).white()[1]; !(std::abs(y - 1) < 1e-6))
+      throw Error::at(setting("illuminant"), "no light that the observer sees",
+                      "a sum of power and y above 0");
+}
+
 }  // namespace
 
 F0Options f0_options(const F0Settings& settings, const LibraryWhenAsked& library,
                      const OpenSpace& open_space) {
   F0Options out;
-  out.viewing.observer = setting_value("observer", settings.observer, out.viewing.observer, observer_named,
-                                       "1931-2deg or 1964-10deg");
-  out.viewing.illuminant = setting_value("illuminant", settings.illuminant, out.viewing.illuminant,
-                                         illuminant_named, "D65, D50, A or E");
+  set_viewing(settings, out);
   out.interpolation = setting_value("interpolation", settings.interpolation, out.interpolation,
                                     interpolation_named, "linear or pchip");
   out.method = setting_value(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "core/material/f0.h"
@@ -14,6 +15,9 @@ namespace etak {
 struct F0Settings {
   std::string observer, illuminant, interpolation, method, integration_bound, space, ocio, outside;
   bool allow_extrapolation = false;
+  // In place of the words, where they are set.
+  std::shared_ptr<const Observer> own_observer;
+  std::shared_ptr<const Illuminant> own_illuminant;
   bool axis_average = false;  // crystals as random grains: solve_averaged() (quality.h)
   friend bool operator==(const F0Settings&, const F0Settings&) = default;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/f0/run.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <set>
@@ -68,24 +69,34 @@ struct Chunk {
 };
 constexpr std::size_t chunk_inputs = 8;
 
-void add_row(F0Row row, const std::string& format, const F0Options& options, Chunk& out) {
+bool is_of_lines(const std::string& format) {
+  return format == "csv" || format == "jsonl";
+}
+
+void append_line(std::string& out, const F0Row& row, const std::string& format, const F0Options& options) {
   if (format == "csv")
-    append_f0_csv(out.text, row.path, row.result, row.kind);
-  else if (format == "jsonl")
-    out.text += f0_jsonl({&row, 1}, options);
+    append_f0_csv(out, row.path, row.result, row.kind);
+  else
+    out += f0_jsonl({&row, 1}, options);
+}
+
+void add_row(F0Row row, const F0Arguments& arguments, const F0Options& options, Chunk& out) {
+  const std::string& format = arguments.output.format;
+  if (is_of_lines(format) && arguments.sort.empty())
+    append_line(out.text, row, format, options);
   else
     out.rows.push_back(std::move(row));
   ++out.tally.rows;
 }
 
-void answer_one(const MaterialInput& input, const F0Job& job, const std::string& format, F0Worker& worker,
+void answer_one(const MaterialInput& input, const F0Job& job, const F0Arguments& arguments, F0Worker& worker,
                 Chunk& out) {
   try {
     F0Outcome outcome = worker.answer(input, job);
     count(outcome, input, out.tally);
     if (outcome.kind != F0Outcome::Kind::answered) return;
     worker.start_lap(job);
-    add_row(std::move(outcome.row), format, job.solver.options(), out);
+    add_row(std::move(outcome.row), arguments, job.solver.options(), out);
     worker.lap(worker.times.print, job);
   } catch (const Error& error) {
     ++out.tally.failed;
@@ -95,7 +106,7 @@ void answer_one(const MaterialInput& input, const F0Job& job, const std::string&
     F0Row row;
     row.path = input.label();
     row.result.refusal = std::string("error: ") + error.what();
-    add_row(std::move(row), format, job.solver.options(), out);
+    add_row(std::move(row), arguments, job.solver.options(), out);
   }
 }
 
@@ -269,13 +280,12 @@ class F0Run {
     if (is_html())
       chunks[0].text = html(inputs, job_, workers_, chunks[0].errors, chunks[0].tally);
     else
-      parallel_chunks(inputs.size(), threads(), chunk_inputs,
-                      [&](std::size_t first, std::size_t last, unsigned worker) {
-                        for (std::size_t i = first; i < last; ++i)
-                          answer_one(inputs[i], job_, arguments_.output.format, workers_[worker],
-                                     chunks[first / chunk_inputs]);
-                        progress.advance(last - first, worker);
-                      });
+      parallel_chunks(
+          inputs.size(), threads(), chunk_inputs, [&](std::size_t first, std::size_t last, unsigned worker) {
+            for (std::size_t i = first; i < last; ++i)
+              answer_one(inputs[i], job_, arguments_, workers_[worker], chunks[first / chunk_inputs]);
+            progress.advance(last - first, worker);
+          });
     progress.take_away();
     for (const std::string& each : remarks) remark(arguments_.output, each);
     for (Chunk& chunk : chunks) {
@@ -290,6 +300,14 @@ class F0Run {
     const auto begin = Clock::now();
     const OutputArguments& output = arguments_.output;
     const F0Options& options = job_.solver.options();
+    // Rows without an answer come last.
+    if (!arguments_.sort.empty())
+      std::ranges::stable_sort(rows_, [](const F0Row& a, const F0Row& b) {
+        const bool none = a.result.refused(), other_none = b.result.refused();
+        return none != other_none ? other_none : !none && a.result.luminance < b.result.luminance;
+      });
+    if (is_of_lines(output.format))
+      for (const F0Row& row : rows_) append_line(text_, row, output.format, options);
     if (output.format == "json") text_ = f0_json(rows_, options);
     if (output.format == "table") {
       const bool terminal = is_standard_output(output) && sys::is_terminal(sys::standard_output);
@@ -321,6 +339,10 @@ int answer_f0(F0Arguments& arguments) {
   check_output(output);
   if (arguments.inputs.names.empty() && arguments.files_from.empty() && !arguments.inputs.all)
     throw Error::at("etak f0", "no input", "a material, file or folder, - for standard input, or --all");
+  if (!arguments.sort.empty() && arguments.sort != "Y")
+    throw Error::at("--sort", printable(arguments.sort), "Y");
+  if (output.format == "html" && !arguments.sort.empty())
+    throw Error::at("--sort", "materials of a page with all their datasets", "a form of rows, such as csv");
   if (output.format == "html" && (arguments.compute.axis_average || !arguments.inputs.dataset.empty()))
     throw Error::at("--format html", "shows every dataset of a material",
                     "no --dataset and no --axis-average");

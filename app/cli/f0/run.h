@@ -18,6 +18,7 @@ struct F0Arguments {
   OutputArguments output;
   Library library;
   unsigned threads = 0;
+  std::string sort;
   bool stats = false;
   bool verbose = false;
   bool allow_empty = false;  // the list of --files-from may be empty

@@ -11,6 +11,7 @@
 #include "core/base/files/input.h"
 #include "core/base/number.h"
 #include "core/base/text/edit_distance.h"
+#include "core/exchange/viewing_file.h"
 #include "core/material/find.h"
 
 namespace etak::cli {
@@ -48,11 +49,13 @@ void add_solver_options(Command verb, F0Settings& settings) {
   const auto add = [&](const char* name, std::string& value, const char* text) {
     return verb.option(name, value, text).group(group);
   };
-  add("--observer", settings.observer, "whose colour-matching functions")
-      .words({"1931-2deg", "1964-10deg"})
+  add("--observer", settings.observer,
+      "whose colour-matching functions: 1931-2deg, 1964-10deg, or those of a table of wavelength, x, y and z")
+      .value_name("OBSERVER|FILE")
       .show_default("1931-2deg");
-  add("--illuminant", settings.illuminant, "light under which F0 has its colour")
-      .words({"D65", "D50", "A", "E"})
+  add("--illuminant", settings.illuminant,
+      "light under which F0 has its colour: D65, D50, A, E, or that of a table of wavelength and power")
+      .value_name("LIGHT|FILE")
       .show_default("D65");
   add("--interpolation", settings.interpolation, "of n and k between the samples")
       .words({"linear", "pchip"})
@@ -90,7 +93,9 @@ void add_compute_options(Command verb, F0Settings& settings) {
 }
 
 F0Options f0_options(const F0Settings& settings, Library& library) {
-  return f0_options(settings, library.when_asked(), [](const std::string& config, const std::string& name) {
+  F0Settings opened = settings;
+  open_viewing(opened);
+  return f0_options(opened, library.when_asked(), [](const std::string& config, const std::string& name) {
     return pictures("--space").doors.open_space(config, name);
   });
 }

@@ -31,6 +31,9 @@ void add_f0(CommandLine& line) {
   add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "html"});
   add_progress_option(verb, arguments->output.progress);
   add_thread_option(verb, arguments->threads);
+  verb.option("--sort", arguments->sort,
+              "order of the rows, in place of that of the inputs: Y, from dark to bright")
+      .words({"Y"});
   verb.flag("-v,--verbose", arguments->verbose,
             "below a table, what its flags mean and the policy that its numbers were computed by");
   verb.flag("--stats", arguments->stats, "time per stage and MB/s on standard error");

@@ -221,3 +221,24 @@ TEST_CASE("empty, comment-only and binary files are refused") {
                  "t.csv:1: the column \"\\x89PNG\""));
   CHECK(contains(table_refusal("wl_nm,n\n"), "t.csv:1: a header without rows"));
 }
+
+TEST_CASE("a table of other quantities is read in the order of its columns, whatever these are called") {
+  const auto columns =
+      parse_columns("# a lamp\nwavelength_um;Watt;_;k\n0.5;-2;9;3e9\n0.4;1;9;0\n", "t.csv", 2);
+  REQUIRE(columns.size() == 2);
+  CHECK(columns[0].wavelength_nm == std::vector{400.0, 500.0});
+  CHECK(columns[0].value == std::vector{1.0, -2.0});
+  CHECK(columns[1].value == std::vector{0.0, 3e9});
+  const auto said = [](std::string_view text, std::size_t count) {
+    try {
+      (void)parse_columns(text, "t.csv", count);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("read");
+  };
+  CHECK(said("nm,power,other\n400,1,2\n", 1) ==
+        "t.csv:1: more columns; expected one of wavelength and 1 more");
+  CHECK(said("nm,x\n400,1\n", 3) == "t.csv:1: too few columns; expected one of wavelength and 3 more");
+  CHECK(said("nm,x\n400,1\nnm,y\n500,1\n", 1) == "t.csv:3: a second header; expected one");
+}

@@ -148,3 +148,40 @@ TEST_CASE("tables of one's own are observers and illuminants as long as somebody
   CHECK_THROWS_AS(own_illuminant(std::array<double, grid_size>{}), Error);
   CHECK_THROWS_AS(own_observer(std::array<std::array<double, 3>, grid_size>{}), Error);
 }
+
+TEST_CASE("a light of lines and a metamer say so") {
+  for (const Illuminant each : illuminants) CHECK(light_remark(each).empty());
+  std::array<double, grid_size> power{};
+  for (const std::size_t nm : {450u, 532u, 640u}) power[nm - grid_first_nm] = 1;
+  CHECK(
+      light_remark(*own_illuminant(power)).starts_with("light of lines: 90 % of its power lies within 3 nm"));
+  // D65 plus what the eye does not see: a wave without X, Y and Z, by Gram and Schmidt against the observer.
+  const auto eye = matching_functions(Observer::cie1931_2deg);
+  const auto d65 = relative_power(Illuminant::d65);
+  std::array<double, grid_size> wave{};
+  for (std::size_t i = 0; i < grid_size; ++i) wave[i] = std::sin(static_cast<double>(i) / 8);
+  std::array<std::array<double, grid_size>, 3> basis{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < grid_size; ++i) basis[c][i] = eye[i][c];
+    const auto take_out = [](std::array<double, grid_size>& from, const std::array<double, grid_size>& what) {
+      double dot = 0, size = 0;
+      for (std::size_t i = 0; i < grid_size; ++i) dot += from[i] * what[i], size += what[i] * what[i];
+      for (std::size_t i = 0; i < grid_size; ++i) from[i] -= dot / size * what[i];
+    };
+    for (std::size_t earlier = 0; earlier < c; ++earlier) take_out(basis[c], basis[earlier]);
+    take_out(wave, basis[c]);
+  }
+  for (std::size_t i = 0; i < grid_size; ++i) power[i] = d65[i] + 40 * wave[i];
+  CHECK(light_remark(*own_illuminant(power)).starts_with("a metamer of D65"));
+}
+
+TEST_CASE("a table of power is 0 beyond its ends, and has to hold visible light") {
+  Spectrum table{{380, 780}, {1, 1}};
+  const auto light = illuminant_of_table(table, "lamp", "lamp.csv");
+  CHECK(name(*light) == "lamp.csv");
+  CHECK(relative_power(*light)[0] == 0);
+  CHECK(relative_power(*light)[380 - grid_first_nm] == 1);
+  table.wavelength_nm[0] = 400;
+  CHECK_THROWS_WITH(illuminant_of_table(table, "lamp"),
+                    "lamp: a table of 400-780 nm; expected one that holds 380-780 nm");
+}
