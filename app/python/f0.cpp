@@ -11,6 +11,7 @@
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
 #include "core/color/srgb.h"
+#include "core/exchange/viewing_file.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
 #include "core/pages/f0/worker.h"
@@ -19,10 +20,9 @@
 namespace etak::python {
 namespace {
 
-// The setting as a table of the caller's: (wavelength, values), the values with `columns` columns. They come back on the
-// reference grid, 0 outside of the table. Nothing where the setting is None or a word.
-std::optional<std::vector<std::array<double, grid_size>>> own_table(const Keywords& given, const char* name,
-                                                                    std::size_t columns) {
+// The setting as a table of the caller's: (wavelength, values), the values with `columns` columns. Nothing where the
+// setting is None or a word.
+std::optional<std::vector<Spectrum>> own_table(const Keywords& given, const char* name, std::size_t columns) {
   const py::object value = given.at(name);
   if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value)) return std::nullopt;
   if (py::len(value) != 2)
@@ -44,7 +44,7 @@ std::optional<std::vector<std::array<double, grid_size>>> own_table(const Keywor
 F0Settings f0_settings(const Keywords& given) {
   F0Settings out;
   if (const auto table = own_table(given, "observer", 3)) {
-    out.own_observer = observer_of_table({(*table)[0], (*table)[1], (*table)[2]}, "observer");
+    out.own_observer = observer_of_table({{(*table)[0], (*table)[1], (*table)[2]}}, "observer");
   } else {
     out.observer = given.text("observer");
   }
@@ -73,7 +73,9 @@ TableSettings table_settings(const Keywords& given) {
 }
 
 F0Options options_of(const F0Settings& settings, const Library& library) {
-  return f0_options(settings, library.when_asked(), [](const std::string& config, const std::string& name) {
+  F0Settings opened = settings;
+  open_viewing(opened);
+  return f0_options(opened, library.when_asked(), [](const std::string& config, const std::string& name) {
     return pictures(setting("space")).open_space(config, name);
   });
 }
@@ -99,9 +101,9 @@ struct F0Answer {
 };
 
 // With the tables of the caller's that it reads.
-std::shared_ptr<const F0Solver> solver_of(const GivenF0Settings& settings, const Library& library) {
-  const auto both = std::make_shared<std::pair<GivenF0Settings, F0Solver>>(
-      settings, F0Solver(options_of(settings, library)));
+std::shared_ptr<const F0Solver> solver_of(const F0Settings& settings, const Library& library) {
+  const auto both =
+      std::make_shared<std::pair<F0Settings, F0Solver>>(settings, F0Solver(options_of(settings, library)));
   return {both, &both->second};
 }
 
@@ -182,7 +184,7 @@ std::string html_of(const F0Answer& answer) {
 py::list answers(const std::vector<py::object>& materials, const std::string& dataset, bool axis_average,
                  const py::dict& given, const Library& library, int threads) {
   const std::vector<AskedMaterial> asked = asked_materials(materials, dataset);
-  const GivenF0Settings settings = f0_settings({given});
+  const F0Settings settings = f0_settings({given});
   const TableSettings tables = table_settings({given});
   LongWork work;
   std::vector<std::size_t> first;  // that asks the same

@@ -11,7 +11,7 @@ from support import PROGRAM
 # What is about files of output, messages and lists of inputs has no counterpart: a program has values for them.
 ABOUT_THE_PROGRAM = set("""help help_all files_from format output out quiet verbose stats color progress jobs input_timeout
     follow_links list_files list_rules report page_report page_link batch watch
-    shard batch_report cache_stats cache_report""".split())
+    shard batch_report cache_stats cache_report sort""".split())
 NOT_IN_PYTHON = {
     "f0": {"stdin_format", "allow_empty", "all", "all_datasets", "force", "integration", "class"},
     "validate": {"changed_since", "min_severity", "mask", "fix", "cache_key", "max_warnings", "exit_zero",

@@ -162,7 +162,7 @@ def f0(
     ['#ffe49c', '#fefdfc']
     >>> etak.f0("silver", illuminant="D66")
     Traceback (most recent call last):
-    etak.Error: illuminant: D66; expected D65, D50, A or E
+    etak.Error: illuminant: D66; expected D65, D50, A, E or a file of wavelength and power
     >>> import numpy as np
     >>> w = np.linspace(380, 780, 5)
     >>> etak.f0(n=[[1.5] * 5, [2.0] * 5], wavelength=w).round(6)
