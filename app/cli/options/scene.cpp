@@ -291,6 +291,8 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   scene.shape = arguments.quad ? Shape::quad : Shape::sphere;
   scene.perspective = arguments.perspective;
   scene.field_of_view_deg = arguments.field_of_view;
+  if (arguments.orbit != 0 || arguments.tilt != 0)
+    scene.view = View{.turn_deg = arguments.orbit, .rise_deg = arguments.tilt};
   if (!arguments.background.empty())
     scene.background = vec(typed_color("--background", arguments.background));
   scene.surface = surface_from(arguments, notes);
@@ -363,6 +365,14 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.flag("--quad", arguments.quad, "a flat square instead of the sphere");
   verb.flag("--perspective", arguments.perspective, "perspective camera instead of an orthographic one");
   verb.option("--fov", arguments.field_of_view, "vertical field of view in degrees").show_default();
+  verb.option("--orbit", arguments.orbit,
+              "turn of the camera around the object, in degrees: at 90 it looks from the right")
+      .range(-360.0, 360.0)
+      .show_default();
+  verb.option("--tilt", arguments.tilt,
+              "height of the camera above the horizon, in degrees; a quad is seen at a grazing angle near 90")
+      .range(-90.0, 90.0)
+      .show_default();
   add_color_option(verb, "--background", arguments.background, "linear; default 0.18 grey");
   verb.option("--exposure", arguments.exposure, "linear factor").show_default();
   verb.option("--transfer", arguments.transfer, "display curve")

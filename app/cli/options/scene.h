@@ -28,6 +28,7 @@ struct SceneArguments {
   double exposure = 1, field_of_view = 30;
   std::string lights, environment, tone = "plain", transfer = "srgb", size = "512";
   bool quad = false, perspective = false;
+  double orbit = 0, tilt = 0;  // degrees, of the camera around the object and above the horizon
   LightSetup (*standard_lights)() = default_lights;  // where nothing is said
   Library library;
 };

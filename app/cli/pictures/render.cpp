@@ -5,10 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/pictures/sheet.h"
+#include "app/cli/pictures/sweep.h"
 #include "core/base/error.h"
 #include "core/base/files/output_target.h"
 #include "core/base/json/json_text.h"
@@ -16,6 +19,7 @@
 #include "core/base/number.h"
 #include "core/base/text/text.h"
 #include "core/color/ocio.h"
+#include "core/color/srgb.h"
 #include "core/image/image_io.h"
 #include "core/render/ambient/accuracy.h"
 #include "core/render/cpu_renderer.h"
@@ -23,6 +27,7 @@
 #include "core/render/glsl/gl_runner.h"
 #include "core/render/ground_bounce.h"
 #include "core/render/reference.h"
+#include "core/render/surface_textures.h"
 
 namespace etak::cli {
 namespace {
@@ -228,10 +233,60 @@ void check_picture_name(const RenderArguments& arguments) {
   if (!path.empty()) refuse_input(path);
   if (arguments.part != "all" && !arguments.sheet)
     throw Error::at("--part", "without --sheet", "--sheet, whose part it is");
-  if (arguments.sheet && arguments.stats.format == "json")
-    throw Error::at("--format", "json with --sheet, which is no picture of one subject", "text");
+  for (const auto& [option, given] :
+       {std::pair("--sheet", arguments.sheet), std::pair("--sweep", !arguments.sweep.empty())})
+    if (given && arguments.stats.format == "json")
+      throw Error::at("--format", std::string("json with ") + option + ", which is no picture of one subject",
+                      "text");
+  if (!arguments.sweep.empty() && (arguments.sheet || arguments.frames > 1 || path.empty()))
+    throw Error::at("--sweep", "is a picture of several objects",
+                    "-o FILE, and neither --sheet nor --frames");
   if (arguments.reference && arguments.device == "gl")
     throw Error::at("--reference", "is not drawn with gl", "--device cpu");
+}
+
+// The picture of a file in linear light.
+std::optional<Image> linear_texture(const char* option, const std::string& path) {
+  if (path.empty()) return std::nullopt;
+  const bool linear = read_picture_header(path).floating;
+  Image out = read_image(path);
+  if (out.channels < 3)
+    throw Error::at(path, std::to_string(out.channels) + " channels",
+                    std::string("three or four for ") + option);
+  if (!linear)
+    for (std::size_t i = 0; i < out.values.size(); ++i)
+      if (i % static_cast<std::size_t>(out.channels) < 3)
+        out.values[i] = static_cast<float>(srgb_decode(double{out.values[i]}));
+  return out;
+}
+
+void lay_textures(const RenderArguments& arguments, Scene& scene) {
+  const auto body = linear_texture("--texture", arguments.texture),
+             gloss = linear_texture("--gloss-texture", arguments.gloss_texture);
+  if (!body && !gloss) return;
+  if (arguments.reference)
+    throw Error::at("--reference", "draws no textures", "no --texture and no --gloss-texture");
+  const auto laid =
+      surface_textures(body ? &*body : nullptr, gloss ? &*gloss : nullptr, scene.surface, max_scene_texture);
+  SurfaceTextures out = *laid;
+  out.has = {body.has_value(), body && body->channels == 4, gloss.has_value(), gloss && gloss->channels == 4};
+  scene.textures = std::make_shared<const SurfaceTextures>(std::move(out));
+}
+
+Image draw_one(RenderArguments& arguments, unsigned threads, Scene& scene, SceneNotes& notes, Stats& stats) {
+  scene = scene_of(arguments.scene, notes);
+  lay_textures(arguments, scene);
+  tell_held_gloss(scene, notes);
+  stats.subject = notes.subject;
+  const auto begin = Clock::now();
+  const std::shared_ptr<const Environment> environment = with_memory_for(
+      scene.lights.environment, [] { return "the light of its texels"; },
+      [&] { return environment_of(scene, threads); });
+  stats.prepare_ms = ms_since(begin);
+  const Environment* light = environment.get();
+  return arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
+         : arguments.device == "gl" ? draw_gl(scene, light, arguments.frames, stats)
+                                    : draw_cpu(arguments, scene, light, threads, stats);
 }
 
 int draw_within_memory(RenderArguments& arguments) {
@@ -244,18 +299,17 @@ int draw_within_memory(RenderArguments& arguments) {
   }
   Stats stats;
   SceneNotes notes;
-  const Scene scene = scene_of(arguments.scene, notes);
-  tell_held_gloss(scene, notes);
-  stats.subject = notes.subject;
-  const auto begin = Clock::now();
-  const std::shared_ptr<const Environment> environment = with_memory_for(
-      scene.lights.environment, [] { return "the light of its texels"; },
-      [&] { return environment_of(scene, threads); });
-  stats.prepare_ms = ms_since(begin);
-  const Environment* light = environment.get();
-  const Image picture = arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
-                        : arguments.device == "gl" ? draw_gl(scene, light, arguments.frames, stats)
-                                                   : draw_cpu(arguments, scene, light, threads, stats);
+  Scene scene;
+  if (!arguments.sweep.empty()) {
+    const Image row = draw_sweep(
+        arguments, [&](RenderArguments& one) { return draw_one(one, threads, scene, notes, stats); });
+    write_picture(arguments, scene, row);
+    std::set<std::string> told;
+    for (const std::string& each : notes.remarks)
+      if (told.insert(each).second) remark(arguments.stats, each);
+    return exit_ok;
+  }
+  const Image picture = draw_one(arguments, threads, scene, notes, stats);
   if (!arguments.picture.empty()) write_picture(arguments, scene, picture);
   say(arguments, scene, stats, notes, threads);
   return exit_ok;

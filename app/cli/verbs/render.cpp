@@ -17,6 +17,20 @@ void add_render(CommandLine& line) {
   verb.option("-o,--output", arguments->picture, "picture to write: .png (8 bit) or .exr (linear)")
       .value_name("FILE");
   verb.flag("--force", arguments->stats.force, "let -o replace a file; ETAK_FORCE=1 says the same");
+  verb.option(
+          "--texture", arguments->texture,
+          "picture of the diffuse colour and, in its fourth channel, of the opacity, laid over the object")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--gloss-texture", arguments->gloss_texture,
+              "picture of F0 and, in its fourth channel, of the gloss, as etak pack writes it")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--sweep", arguments->sweep,
+              "a row of objects, one for each value of gloss, roughness, material, model, diffuse-model, "
+              "orbit, tilt or "
+              "a parameter of --set: NAME=FIRST:LAST:COUNT, or NAME=VALUE,VALUE,...")
+      .value_name("NAME=VALUES");
   verb.flag("--half", arguments->half, "16-bit values in .exr instead of 32-bit ones");
   verb.option("--device", arguments->device, "cpu, gl, or auto (cpu)")
       .one_of({"auto", "cpu", "gl"})
