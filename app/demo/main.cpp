@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// etak-start-page DEMO: writes DEMO/index.html, the first page of `./dev demo`. DEMO holds scene/ as
+// etak-start-page --figures: prints which figures of the sources `./dev demo` draws, a line each: NAME and words of
+// etak render.
+// etak-start-page DEMO: writes DEMO/index.html, the first page of `./dev demo`, and DEMO/sources.html where figures/ of
+// these is there. DEMO holds scene/ as
 // etak-demo-scene makes it, with mistakes/, and atlas/ as etak pack makes it; other pages of the demo that are there
 // get cards. Not installed.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <string_view>
 #include <thread>
 
+#include "app/demo/figures.h"
 #include "app/demo/parts.h"
 #include "core/base/files/file.h"
 #include "core/base/parallel.h"
@@ -39,6 +44,8 @@ void write_start_page(const std::string& folder) {
   data.library_page = "f0.html";
   etak::demo::add_spheres(library, threads, data);
   etak::demo::add_scene(threads, data);
+  if (const std::string figures = etak::demo::figures_page(); !figures.empty())
+    etak::write_file("sources.html", figures, true);
   etak::demo::add_cards(data);
   etak::write_file("index.html", etak::start_page(data), true);
 }
@@ -47,10 +54,14 @@ void write_start_page(const std::string& folder) {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fprintf(stderr, "usage: etak-start-page DEMO\n");
+    std::fprintf(stderr, "usage: etak-start-page --figures | DEMO\n");
     return 2;
   }
   try {
+    if (std::string_view(argv[1]) == "--figures") {
+      std::fputs(etak::demo::figure_commands().c_str(), stdout);
+      return 0;
+    }
     write_start_page(argv[1]);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "etak-start-page: %s\n", e.what());

@@ -126,6 +126,8 @@ void add_cards(StartPageData& data) {
        "Every material with spheres, spectra, datasets, their spread and sources.", ""},
       {"report/report.html", "Error against run time", "What every shortcut costs and saves, measured here.",
        ""},
+      {"sources.html", "Figures of the sources",
+       "What Schüler, Hoffman and TU Graz show, drawn by etak, with the commands.", ""},
       {"models-own.png", "Shading models",
        "Eight materials under each model whose lobe no other one has, and how far it is from the exact one.",
        ""},

@@ -15,7 +15,7 @@ mkdir -p "$scratch"
 cd "$scratch"
 export HOME="$scratch" XDG_CONFIG_HOME="$scratch/config" XDG_CACHE_HOME="$scratch/cache"
 
-pages='index f0 findings atlas scene-atlas report'
+pages='index f0 findings atlas scene-atlas report sources'
 
 fault() { echo "$*" | tee -a faults; }
 
@@ -26,6 +26,9 @@ fault() { echo "$*" | tee -a faults; }
 cp report/report.html report.html
 "$etak" f0 gold silicon water cardboard --format html -q -o f0.html
 "$etak" validate mistakes scene atlas --no-config --format html --exit-zero -q -o findings.html
+mkdir figures
+"$etak" render gold --sweep gloss=0:1:7 --size 220 -q -o figures/gloss.png
+"$start_page" --figures | grep -q '^gloss gold --sweep gloss=0:1:7 --size 220$' || fault "the figure of gloss is another one"
 "$start_page" .
 [ "$(wc -c <index.html)" -lt 8000000 ] || fault "index.html is larger than 8 MB"
 if grep -oE 'src="https?:[^"]*"|<link [^>]*>|@import|url\([^#)][^)]*\)' index.html; then fault "index.html loads something"; fi
@@ -64,7 +67,7 @@ EOF
   for dark in 0 1; do
     see $dark --virtual-time-budget=8000 --dump-dom "file://$scratch/frames.html" |
       grep -o '<p>measured [^<]*' | sed 's/^<p>//' >told || true
-    [ "$(wc -l <told)" -eq 6 ] || { fault "at $width: $(wc -l <told) of 6 pages answered"; cat told; }
+    [ "$(wc -l <told)" -eq 7 ] || { fault "at $width: $(wc -l <told) of 7 pages answered"; cat told; }
     while IFS='|' read -r seen over out color copied; do
       [ "$seen" = "measured $width" ] || fault "wanted $width, $seen"
       [ "$over" = 0 ] || fault "at $width: a page is $over pixels too wide: $out"
