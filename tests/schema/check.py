@@ -51,6 +51,7 @@ for options in ([], ["--space", "xyz", "--illuminant", "A"], ["--method", "exact
 for line in run("f0", "--all", "--format", "jsonl").splitlines():
     check(f0, json.loads(line), "f0 --format jsonl")
 
+check(schema("sources"), json.loads(run("sources", "--format", "json")), "sources")
 with open(f"{source}/resources/unmeasured.json", encoding="utf-8") as file:
     check(schema("unmeasured"), json.load(file), "unmeasured.json")
 done = subprocess.run([etak, "list", "steel", "TiN", "dna", "milk", "glod", "qwertzuiop", "--format", "json"],

@@ -50,12 +50,12 @@ void add_solver_options(Command verb, F0Settings& settings) {
     return verb.option(name, value, text).group(group);
   };
   add("--observer", settings.observer,
-      "whose colour-matching functions: 1931-2deg, 1964-10deg, or those of a table of wavelength, x, y and z")
-      .value_name("OBSERVER|FILE")
+      "whose colour-matching functions; FILE: a table of wavelength, x, y and z")
+      .words({"1931-2deg", "1964-10deg", "FILE"})
       .show_default("1931-2deg");
   add("--illuminant", settings.illuminant,
-      "light under which F0 has its colour: D65, D50, A, E, or that of a table of wavelength and power")
-      .value_name("LIGHT|FILE")
+      "light under which F0 has its colour; FILE: a table of wavelength and power")
+      .words({"D65", "D50", "A", "E", "FILE"})
       .show_default("D65");
   add("--interpolation", settings.interpolation, "of n and k between the samples")
       .words({"linear", "pchip"})
