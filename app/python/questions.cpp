@@ -16,6 +16,7 @@
 #include "core/material/catalogue.h"
 #include "core/material/quality.h"
 #include "core/pages/lists/lists.h"
+#include "core/pages/lists/sources.h"
 
 namespace etak::python {
 namespace {
@@ -203,8 +204,12 @@ void add_questions(py::module_& module) {
       py::arg("text"));
   module.def("delta_e", &delta_e, py::arg("a"), py::arg("b"));
   module.def("evaluated", &evaluated, py::arg("function"), py::arg("words"), py::arg("numbers"));
-  module.def("functions", [] {
-    return py::module_::import("json").attr("loads")(functions_json())["functions"].cast<py::list>();
+  const auto list_of = [](const std::string& document, const char* member) {
+    return py::module_::import("json").attr("loads")(document)[member].cast<py::list>();
+  };
+  module.def("functions", [list_of] { return list_of(functions_json(), "functions"); });
+  module.def("sources", [list_of] {
+    return list_of(sources_json(source_rows(MaterialLibrary::builtin())), "rows");
   });
   module.def("export", &export_call, py::arg("materials"), py::arg("to"), py::arg("given"),
              py::arg("library"), py::arg("threads"));

@@ -62,6 +62,7 @@ class Questions(unittest.TestCase):
         out = etak.eval("schlick", f0=[[0.04], [0.5]], cos=c)
         self.assertEqual(out.shape, (2, 7))
         self.assertEqual(out[1, 3], etak.eval("schlick", f0=0.5, cos=c[3]))
+        self.assertEqual(etak.sources(), json.loads(said("sources", "--format", "json"))["rows"])
         self.assertEqual([each["id"] for each in etak.functions()],
                          [each["id"] for each in json.loads(said("eval", "--list", "--format", "json"))["functions"]])
         with self.assertRaises(etak.Error) as caught:

@@ -33,7 +33,7 @@ _core._start(_os.path.abspath(__path__[0]))
 __all__ = [
     "CheckedFile", "Choice", "Choices", "Citation", "Dataset", "Error", "F0", "Finding", "Library", "Material",
     "Near", "Packed", "Report", "Spread", "__version__", "choose", "dataset", "delta_e", "export", "f0", "fresnel",
-    "fresnel_forms", "functions", "library", "nearest", "pack", "pack_settings", "read", "validate"]
+    "fresnel_forms", "functions", "library", "nearest", "pack", "pack_settings", "read", "sources", "validate"]
 
 
 def _documents() -> Any:
@@ -414,3 +414,13 @@ def functions() -> "list[Dict[str, Any]]":
     ['f0', 'absorptance0']
     """
     return _core.functions()
+
+
+def sources() -> "list[Dict[str, Any]]":
+    """The printed rows of Schueler, Hoffman and TU Graz, each with etak's value and the reason of a difference: what
+    `etak sources --format json` lists.
+
+    >>> [each["etak"] for each in etak.sources() if each["row"] == "Chromium"]
+    [[0.549619991, 0.556021829, 0.554227039]]
+    """
+    return _core.sources()
