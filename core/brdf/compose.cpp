@@ -3,8 +3,11 @@
 #include "core/brdf/compose.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <type_traits>
+
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {
@@ -51,22 +54,29 @@ std::string typed_names(std::span<const Parameter> list) {
 }
 
 template <class Real>
-void evaluate_piece(const Model::Compiled::Piece& piece, const evaluators::One<Real>& compiled,
+void evaluate_piece(const Model::Compiled::Piece& piece, decltype(evaluators::One<Real>::evaluate) evaluate,
                     const Directions& d, const double* numbers, Real rgb[3]) {
   double own[most_numbers];
   for (std::size_t i = 0; i < piece.at.size(); ++i) own[i] = numbers[piece.at[i]];
-  compiled.evaluate(d, own, rgb);
+  evaluate(d, own, rgb);
 }
 
-// The same product as brdf_microfacet() of microfacet.glsl.
+// The same as brdf_microfacet() of microfacet.glsl and brdf_compensated() of compensated.glsl.
 template <class Real, class Choose>
 void evaluate_pieces(const Model::Compiled& compiled, Choose choose, const Directions& d,
                      const double* numbers, Real rgb[3]) {
   Real D[3], V[3];
-  evaluate_piece<Real>(compiled.fresnel, choose(compiled.fresnel), d, numbers, rgb);
-  evaluate_piece<Real>(compiled.distribution, choose(compiled.distribution), d, numbers, D);
-  evaluate_piece<Real>(compiled.visibility, choose(compiled.visibility), d, numbers, V);
+  evaluate_piece<Real>(compiled.fresnel, choose(compiled.fresnel).evaluate, d, numbers, rgb);
+  evaluate_piece<Real>(compiled.distribution, choose(compiled.distribution).evaluate, d, numbers, D);
+  evaluate_piece<Real>(compiled.visibility, choose(compiled.visibility).evaluate, d, numbers, V);
   for (int i = 0; i < 3; ++i) rgb[i] = std::max(rgb[i], Real(0)) * (D[0] * V[0]);
+  if (!compiled.compensated) return;
+  Real mean[3];
+  evaluate_piece<Real>(compiled.fresnel, choose(compiled.fresnel).mean, d, numbers, mean);
+  for (int i = 0; i < 3; ++i) {
+    const Real f = std::clamp(mean[i], Real(0), Real(1));
+    rgb[i] += f * f * (1 - V[2]) / (1 - f * V[2]) * V[1];
+  }
 }
 
 // The numbers that the entry takes: `values`, then the derived numbers. To derive a number can take a
@@ -124,16 +134,26 @@ void compose(const Term& distribution, const Term& fresnel, const Term& visibili
   out.compiled.distribution = piece(distribution, numbers);
   out.compiled.fresnel = piece(fresnel, numbers);
   out.compiled.visibility = piece(visibility, numbers);
+  out.compiled.compensated = visibility.compensated;
 
   add_files(fresnel.files, out.files);
   add_files(distribution.files, out.files);
   add_files(visibility.files, out.files);
-  out.files.push_back("brdf/microfacet.glsl");
+  add_files(std::array<std::string_view, 1>{"brdf/microfacet.glsl"}, out.files);
   out.entry = "brdf_microfacet_" + name;
+  const auto fresnel_at = [&](const std::string& cosine) {
+    return std::string(fresnel.entry) + '(' + names(fresnel.parameters, "", ", ") + cosine + ")";
+  };
+  std::string mean;
+  if (visibility.compensated)
+    mean = ",\n                         mean_fresnel(" +
+           joined(std::array{1, 2, 3, 4}, ",\n                                      ",
+                  [&](int i) { return fresnel_at("mean_cosine_" + std::to_string(i)); }) +
+           ")";
   out.text = "vec3 " + out.entry + "(Angles a" + typed_names(out.parameters) +
-             typed_names(distribution.derived) + ") {\n" + "  return brdf_microfacet(" +
-             std::string(fresnel.entry) + '(' + names(fresnel.parameters, "", ", ") +
-             "a.lh),\n                         " + std::string(distribution.entry) + '(' +
+             typed_names(distribution.derived) + ") {\n" + "  return " +
+             (visibility.compensated ? "brdf_compensated(" : "brdf_microfacet(") + fresnel_at("a.lh") + mean +
+             ",\n                         " + std::string(distribution.entry) + '(' +
              names(distribution.parameters, "", ", ") + names(distribution.derived, "", ", ") +
              "a.nh, a.s2),\n                         " + std::string(visibility.entry) + "(a" +
              names(visibility.parameters, ", ", "") + "));\n}\n";
@@ -151,6 +171,9 @@ void compose(const Term& distribution, const Term& fresnel, const Term& visibili
   model.compiled = &out.compiled;
 }
 
+bool Model::compensated() const {
+  return visibility != nullptr && visibility->compensated;
+}
 std::size_t Model::value_count() const {
   return number_count(parameters);
 }

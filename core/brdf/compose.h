@@ -25,6 +25,7 @@ struct Model::Compiled {
     std::vector<std::size_t> at;
   };
   Piece distribution, fresnel, visibility;
+  bool compensated = false;  // by the visibility
 };
 
 /// A model made of three terms, with the strings and lists that the model points to.

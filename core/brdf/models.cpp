@@ -40,6 +40,7 @@ struct MicrofacetRow {
 };
 
 constexpr Claims ggx_height{true, true, "albedo below 1; 0.31 at alpha = 1, normal incidence"};
+constexpr Claims compensated{true, true, "white furnace 0.99 to 1, for widths from 0.01 to 1"};
 constexpr MicrofacetRow microfacet_rows[] = {
     {"ggx-schlick", "GGX, Schlick, Smith height-correlated", "ggx", "schlick", "smith-ggx-height",
      ggx_height},
@@ -80,6 +81,14 @@ constexpr MicrofacetRow microfacet_rows[] = {
      "exact",
      "smith-beckmann-height",
      {true, true, {}}},
+    {"ggx-schlick-compensated", "GGX, Schlick, Smith and light between facets", "ggx", "schlick",
+     "smith-ggx-compensated", compensated},
+    {"ggx-exact-compensated", "GGX, exact Fresnel, Smith and light between facets", "ggx", "exact",
+     "smith-ggx-compensated", compensated},
+    {"ggx-f82-compensated", "GGX, F82, Smith and light between facets", "ggx", "f82", "smith-ggx-compensated",
+     compensated},
+    {"beckmann-smith-compensated", "Beckmann, exact Fresnel, Smith and light between facets", "beckmann",
+     "exact", "smith-beckmann-compensated", compensated},
     {"beckmann-smith-uncorrelated",
      "Beckmann, Schlick, Smith uncorrelated",
      "beckmann",
@@ -166,7 +175,7 @@ class Registry {
     const std::string_view d = terms.substr(0, first), f = terms.substr(first + 1, second - first - 1);
     std::string v(terms.substr(second + 1));
     // Smith's term of the distribution; that of GGX for distributions without one of their own.
-    if (v == "smith-height" || v == "smith-uncorrelated")
+    if (v == "smith-height" || v == "smith-uncorrelated" || v == "smith-compensated")
       v = (d.starts_with("beckmann") ? "smith-beckmann" : "smith-ggx") + v.substr(5);
     const Term* D = find_term(TermKind::distribution, d);
     const Term* F = find_term(TermKind::fresnel, f);

@@ -81,6 +81,7 @@ struct Model {
   std::string_view text;  // GLSL of the entry, for models made of terms; empty where a file has it
   // The terms that the model is made of; null for models with a text of their own.
   const Term *distribution = nullptr, *fresnel = nullptr, *visibility = nullptr;
+  bool compensated() const;  // light that facets reflect to each other is added: see Term::compensated
 
   /// f_r in 1/sr, per channel, in double. It is 0 unless both directions are above the surface and l is not
   /// -v.
@@ -143,8 +144,11 @@ struct Term {
   std::string_view entry;
   std::string_view note;   // a known property: "integral 1", "as printed: integral pi / 4"
   bool normalised = true;  // distribution: the integral of D nm is 1
+  // Visibility: light that facets reflect to each other is added. The entry returns the vec3 V of brdf_compensated().
+  bool compensated = false;
 
-  /// The term's value in double. A distribution or visibility gives the same number for all three channels.
+  /// The term's value in double. A distribution or visibility gives the same number for all three channels, except for a
+  /// compensated one, which gives the numbers of its vec3.
   void f64(const Directions& d, const double* values, double rgb[3]) const;
 };
 std::span<const Term> terms();

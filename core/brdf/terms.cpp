@@ -23,7 +23,7 @@ struct TermRow {
   Few<Parameter> parameters, derived;
   Few<std::string_view> files;
   std::string_view entry, note;
-  bool normalised = true;
+  bool normalised = true, compensated = false;
 };
 
 constexpr TermRow rows[] = {
@@ -45,8 +45,8 @@ constexpr TermRow rows[] = {
 constexpr auto made_of_rows() {
   std::array<Term, std::size(rows)> out{};
   std::ranges::transform(rows, out.begin(), [](const TermRow& row) {
-    return Term{row.id,      row.title, row.source, row.kind, row.parameters,
-                row.derived, row.files, row.entry,  row.note, row.normalised};
+    return Term{row.id,    row.title, row.source, row.kind,       row.parameters, row.derived,
+                row.files, row.entry, row.note,   row.normalised, row.compensated};
   });
   return out;
 }

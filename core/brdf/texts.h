@@ -20,6 +20,8 @@
 #include "core/brdf/g_smith_ggx.glsl"
 #include "core/brdf/g_smith_beckmann.glsl"
 #include "core/brdf/microfacet.glsl"
+#include "core/brdf/lost_light.glsl"
+#include "core/brdf/compensated.glsl"
 #define ETAK_TEXTS
 #include "core/brdf/models.inc"
 #undef ETAK_TEXTS

@@ -85,6 +85,10 @@ constexpr Function rows[] = {
      [](In x) { return formulas::g2_ggx_uncorrelated(at_least_0(x[0]), at_least_0(x[1]), x[2]); }},
     {"G2_ggx_height", "shadowing and masking, height-correlated", "Heitz 2014, eq. 99", nl_nv_alpha, false,
      [](In x) { return formulas::g2_ggx_height(at_least_0(x[0]), at_least_0(x[1]), x[2]); }},
+    {"lost_ggx", "share that one reflection of F = 1 loses", "fit for Kulla and Conty 2017", cos_alpha, false,
+     [](In x) { return formulas::lost_ggx(at_least_0(x[0]), std::min(x[1], 1.0)); }},
+    {"lost_beckmann", "share that one reflection of F = 1 loses", "fit for Kulla and Conty 2017", cos_m,
+     false, [](In x) { return formulas::lost_beckmann(at_least_0(x[0]), std::min(x[1], 1.0)); }},
 };
 
 }  // namespace

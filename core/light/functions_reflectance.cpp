@@ -160,6 +160,13 @@ constexpr Function rows[] = {
      [](In x) { return furnace_width("microfacet:ggx,schlick,smith-ggx-uncorrelated", x); }},
     {"furnace_ggx_smith_corr", "directional albedo, F = 1", "GGX, Smith height-correlated", width_furnace,
      false, [](In x) { return furnace_width("microfacet:ggx,schlick,smith-ggx-height", x); }},
+    {"furnace_ggx_compensated", "directional albedo, F = 1", "Kulla and Conty 2017", width_furnace, false,
+     [](In x) { return furnace_width("microfacet:ggx,schlick,smith-ggx-compensated", x); }},
+    {"furnace_beckmann_smith_corr", "directional albedo, F = 1", "Beckmann, Smith height-correlated",
+     width_furnace, false,
+     [](In x) { return furnace_width("microfacet:beckmann,schlick,smith-beckmann-height", x); }},
+    {"furnace_beckmann_compensated", "directional albedo, F = 1", "Kulla and Conty 2017", width_furnace,
+     false, [](In x) { return furnace_width("microfacet:beckmann,schlick,smith-beckmann-compensated", x); }},
 };
 
 }  // namespace

@@ -113,7 +113,11 @@ class Shader {
     if (!lobe_) return scene_.specular == nullptr ? Vec3{} : f_r(*scene_.specular, bodiless_values_, l, v);
     const Vec3 bisector = l + v;
     const double lh = std::min(1.0, std::sqrt(dot(bisector, bisector)) / 2);
-    return fresnel_->at(lh) * f_r(*lobe_->model, lobe_->values, l, v);
+    const Vec3 once = fresnel_->at(lh) * f_r(*lobe_->model, lobe_->values, l, v);
+    if (!scene_.specular->compensated()) return once;
+    // Light between facets has the colours of the model itself.
+    return once + f_r(*scene_.specular, bodiless_values_, l, v) +
+           f_r(*lobe_->model, bodiless_values_, l, v) * -1;
   }
 
   // What the whole model of kind both has beside its specular part, or the diffuse model.

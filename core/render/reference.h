@@ -72,7 +72,7 @@ struct Lobe {
 };
 
 /// The lobe of `model` with `values`, for the spectral reference; nullopt for a model whose Fresnel term
-/// cannot be set to 1, and for one whose diffuse part is not black.
+/// cannot be set to 1, and for one whose diffuse part is not black. That of a compensated model is of one reflection.
 std::optional<Lobe> lobe_of(const Model& model, const std::vector<double>& values);
 
 }  // namespace etak

@@ -59,6 +59,9 @@ std::optional<Lobe> lobe_of(const Model& model, const std::vector<double>& value
     if (const Model* bounded = find_model("schueler-optimized-bounded");
         bounded && bounded->value_count() == values.size())
       out.model = bounded;
+  if (model.compensated())
+    out.model = find_model("microfacet:" + std::string(model.distribution->id) + ',' +
+                           std::string(model.fresnel->id) + ",smith-height");
   std::size_t at = 0;
   for (const Parameter& parameter : out.model->parameters) {
     for (std::size_t c = 0; c < (parameter.color ? 3u : 1u); ++c, ++at) {

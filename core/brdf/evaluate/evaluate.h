@@ -54,7 +54,7 @@ inline vec3 color(const real* p) {
     static constexpr int size = numbers;       \
     const real* p;                             \
     explicit V_##id(const real* p_) : p(p_) {} \
-    real at(Angles a) const { return call; }   \
+    auto at(Angles a) const { return call; }   \
   };
 #include "core/brdf/terms.inc"
 #undef ETAK_D
@@ -63,6 +63,33 @@ inline vec3 color(const real* p) {
 #undef ETAK_F_OF_EXCESS
 #undef ETAK_F_OF_ENDS
 #undef ETAK_V
+
+// The mean of a Fresnel term over a diffuse hemisphere.
+template <class Term>
+struct Mean {
+  static constexpr int size = Term::size;
+  Term F;
+  explicit Mean(const real* p) : F(p) {}
+  vec3 at_cosine(real c) const {
+    Angles a{};
+    a.lh = c;
+    return F.at(a);
+  }
+  vec3 at(Angles) const {
+    return mean_fresnel(at_cosine(mean_cosine_1), at_cosine(mean_cosine_2), at_cosine(mean_cosine_3),
+                        at_cosine(mean_cosine_4));
+  }
+};
+
+// The product of three terms; with a V that compensates, the mean of F, which needs no angles, is taken too.
+template <class Term>
+vec3 product(const Mean<Term>& mean, Angles a, real D, real V) {
+  return brdf_microfacet(mean.F.at(a), D, V);
+}
+template <class Term>
+vec3 product(const Mean<Term>& mean, Angles a, real D, vec3 V) {
+  return brdf_compensated(mean.F.at(a), mean.at(a), D, V);
+}
 
 #define ETAK_MODEL(entry, numbers, type, constant, call, ...)  \
   struct M_##entry {                                           \
@@ -76,11 +103,11 @@ inline vec3 color(const real* p) {
 #define ETAK_MICROFACET(d, f, v)                                                                \
   struct M_##d##_##f##_##v {                                                                    \
     static constexpr int size = F_##f::size + D_##d::size;                                      \
-    F_##f F;                                                                                    \
+    Mean<F_##f> F;                                                                              \
     D_##d D;                                                                                    \
     V_##v V;                                                                                    \
     explicit M_##d##_##f##_##v(const real* p) : F(p), D(p + F_##f::size), V(p + F_##f::size) {} \
-    vec3 at(Angles a) const { return brdf_microfacet(F.at(a), D.at(a), V.at(a)); }              \
+    vec3 at(Angles a) const { return product(F, a, D.at(a), V.at(a)); }                         \
   };
 #include "core/brdf/models.inc"
 #undef ETAK_MODEL

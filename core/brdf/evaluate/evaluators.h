@@ -14,12 +14,14 @@ namespace etak::evaluators {
 ///   entry      "brdf_lambert"; "ggx_schlick_smith_ggx_height" for a model of three terms; "D_ggx" for a term
 ///   size       how many numbers the entry takes
 ///   evaluate   `numbers` are the parameters, then the derived numbers; for a D or a V all three results are
-///              the same
+///              the same, except for a V that compensates
+///   mean       of an F over a diffuse hemisphere; the directions do not matter; null for others
 template <class Real>
 struct One {
   const char* entry;
   int size;
   void (*evaluate)(const Directions& d, const double* numbers, Real rgb[3]);
+  void (*mean)(const Directions& d, const double* numbers, Real rgb[3]) = nullptr;
 };
 std::span<const One<double>> all_f64();
 std::span<const One<float>> all_f32();

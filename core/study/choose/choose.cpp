@@ -217,8 +217,7 @@ struct VisibilityStep {
 VisibilityStep choose_visibility(const Judge& judge, const Look& chosen, const FresnelStep& fresnel) {
   std::vector<Ranked<const Term*>> ranked;
   for (const Term& term : terms())
-    if (term.kind == TermKind::visibility && !term.id.starts_with("smith-beckmann"))
-      ranked.push_back({&term, judge.cost("visibility/", term.id)});
+    if (masks_ggx(term)) ranked.push_back({&term, judge.cost("visibility/", term.id)});
   by_cost(ranked);
   VisibilityStep out;
   double found_cost = 0;

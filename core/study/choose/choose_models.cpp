@@ -17,10 +17,15 @@ std::vector<const Model*> whole_models() {
                                            : of.size() == 2 && of[0].role == Role::f0 && of[0].color;
     const Role width = of.back().role;
     const bool is_frame = model.distribution != nullptr && model.distribution->id == "ggx";
-    if (colors && !is_frame && (width == Role::gloss || width == Role::alpha || width == Role::exponent))
+    if (colors && !is_frame && !model.compensated() &&
+        (width == Role::gloss || width == Role::alpha || width == Role::exponent))
       out.push_back(&model);
   }
   return out;
+}
+
+bool masks_ggx(const Term& term) {
+  return term.kind == TermKind::visibility && !term.compensated && !term.id.starts_with("smith-beckmann");
 }
 
 bool takes_index(const Model& model) {

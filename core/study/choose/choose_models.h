@@ -20,6 +20,9 @@ inline constexpr double same_cost = 1.15;
 /// The specular models of models() that take F0 (or n and k) and one width, without those of GGX, which the frame has.
 std::vector<const Model*> whole_models();
 
+/// Whether a term is a masking of one reflection by facets that a lobe of GGX may have.
+bool masks_ggx(const Term& term);
+
 /// Whether the model takes n and k, which a colour does not tell.
 bool takes_index(const Model& model);
 

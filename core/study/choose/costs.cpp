@@ -153,7 +153,7 @@ CostTable measure_costs(std::string_view header,
   // all terms.
   const auto batch = std::make_shared<Batch>();
   for (const Term& term : terms()) {
-    if (term.kind != TermKind::visibility || term.id.starts_with("smith-beckmann")) continue;
+    if (!masks_ggx(term)) continue;
     const Model* model = find_model("microfacet:ggx,schlick," + std::string(term.id));
     cases.push_back({"visibility/" + std::string(term.id), count, [model, batch] {
                        batch->run(*model, {0.9, 0.8, 0.4, 0.2});

@@ -45,10 +45,11 @@ const std::vector<Subject>& subjects() {
   return all;
 }
 
+// Those of one reflection, which the spectral pictures have.
 std::vector<const Model*> specular_models() {
   std::vector<const Model*> out;
   for (const Model& model : models())
-    if (model.kind != ModelKind::diffuse) out.push_back(&model);
+    if (model.kind != ModelKind::diffuse && !model.compensated()) out.push_back(&model);
   return out;
 }
 

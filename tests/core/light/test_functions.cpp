@@ -107,6 +107,9 @@ TEST_CASE("every function of the table is there, with its inputs") {
                          "furnace_ggx_ct",
                          "furnace_ggx_smith",
                          "furnace_ggx_smith_corr",
+                         "furnace_ggx_compensated",
+                         "furnace_beckmann_smith_corr",
+                         "furnace_beckmann_compensated",
                          "srgb_encode",
                          "srgb_decode",
                          "srgb_u8",
@@ -279,6 +282,10 @@ TEST_CASE("furnaces have the numbers of the independent integration over light d
   CHECK(eval("furnace_optimized", "param=1;theta_v=89") == near_to(3.098007769, 1e-7));
   CHECK(eval("furnace_blinn", "param=8;theta_v=0") == near_to(16 * (1.0 / 16 + 8) / (10 * 12), 1e-8));
   CHECK(eval("furnace_ggx_smith_corr", "param=1;theta_v=0") == near_to(1 - std::log(2.0), 1e-8));
+  CHECK(eval("lost_ggx", "cos=1;alpha=1") == near_to(std::log(2.0), 0.006));
+  CHECK(eval("furnace_ggx_compensated", "param=1;theta_v=0") == near_to(1, 0.01));
+  CHECK(eval("furnace_beckmann_smith_corr", "param=1;theta_v=0") < 0.47);
+  CHECK(eval("furnace_beckmann_compensated", "param=1;theta_v=0") == near_to(1, 0.01));
   CHECK(eval("furnace_beckmann_ct_printed", "param=0.3;theta_v=60") ==
         near_to(std::numbers::pi / 4 * eval("furnace_beckmann_ct", "param=0.3;theta_v=60"), 1e-7));
 }
