@@ -15,6 +15,7 @@
 #include "app/viewport/background.h"
 #include "core/base/error.h"
 #include "core/image/image_io.h"
+#include "core/render/ground_bounce.h"
 
 namespace etak::editor {
 namespace {
@@ -29,19 +30,22 @@ constexpr unsigned prefilter_threads = 2;
 
 //   picture     of a file that has been read; null: it is read, where it is a file
 //   prefilter   of what is to be shown first, or in the end
-LoadedEnvironment load(const std::string& name, double scale, std::shared_ptr<const Image> picture,
+LoadedEnvironment load(const LightSetup& lights, std::shared_ptr<const Image> picture,
                        Environment::Prefilter prefilter) {
   LoadedEnvironment out;
+  const std::string& name = lights.environment;
+  const double scale = lights.environment_scale;
   const bool quick = prefilter == Environment::Prefilter::quick;
   try {
     if (find_studio(name) != nullptr) {
       out.environment = quick ? quick_studio_environment(name, scale, prefilter_threads)
                               : studio_environment(name, scale, prefilter_threads);
-      return out;
+    } else {
+      out.picture = picture ? std::move(picture) : std::make_shared<const Image>(read_image(name));
+      out.environment =
+          std::make_shared<const Environment>(*out.picture, scale, name, prefilter_threads, prefilter);
     }
-    out.picture = picture ? std::move(picture) : std::make_shared<const Image>(read_image(name));
-    out.environment =
-        std::make_shared<const Environment>(*out.picture, scale, name, prefilter_threads, prefilter);
+    out.environment = with_ground(lights, std::move(out.environment), prefilter_threads, prefilter);
   } catch (const Error& error) {
     out.error = QString::fromUtf8(error.what());
   } catch (const std::bad_alloc&) {
@@ -166,12 +170,16 @@ void Window::set_environment(const QString& path) {
 
 void Window::load_environment() {
   const LightSetup& lights = document_.project().view.lights;
-  const std::string key =
-      lights.environment.empty() ? "" : lights.environment + '|' + std::to_string(lights.environment_scale);
+  // All lights light a ground, which is a part of the environment then.
+  const std::string key = lights.environment.empty() ? ""
+                          : lights.ground
+                              ? format_lights(lights)
+                              : lights.environment + '|' + std::to_string(lights.environment_scale);
   if (key == environment_key_) return;
   environment_key_ = key;
   show_environment_work(false);
-  auto known = known_studio_environment(lights.environment, lights.environment_scale);
+  auto known =
+      lights.ground ? nullptr : known_studio_environment(lights.environment, lights.environment_scale);
   if (key.empty() || known) {
     environment_ = std::move(known);
     return;
@@ -185,10 +193,10 @@ void Window::load_environment() {
     refresh_timer_.start();
   };
   using Prefilter = Environment::Prefilter;
-  const auto begin = [this, name = lights.environment, scale = lights.environment_scale](
-                         const std::shared_ptr<const Image>& picture, Prefilter prefilter, auto done) {
+  const auto begin = [this, lights](const std::shared_ptr<const Image>& picture, Prefilter prefilter,
+                                    auto done) {
     in_background(
-        heavy_, this, [=] { return load(name, scale, picture, prefilter); }, done);
+        heavy_, this, [=] { return load(lights, picture, prefilter); }, done);
   };
   begin(nullptr, Prefilter::quick, [this, key, show, begin](const LoadedEnvironment& loaded) {
     if (key != environment_key_) return;

@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/energy.h"
+#include "core/render/ground_bounce.h"
 
 namespace etak {
 namespace {
@@ -18,7 +19,7 @@ Scene frame_of(const ViewState& state, int width, int height) {
   out.width = width;
   out.height = height;
   out.shape = state.shape == ViewShape::quad ? Shape::quad : Shape::sphere;
-  out.lights = state.lights;
+  out.lights = with_ground(state.lights);
   out.lights.environment = state.environment ? "given" : "";
   out.environment_turn_deg = state.environment_turn_deg;
   out.exposure = state.exposure;

@@ -131,6 +131,22 @@ class EditorLight : public QObject {
     QVERIFY(window.settle());
   }
 
+  void a_ground_of_the_light_setup_lights_the_object() {
+    TestWindow window(true);
+    const auto lowest = [&](std::size_t c) {
+      const auto& around = window->viewport().state().environment;
+      return around == nullptr ? 0.0f : around->map().at(0, around->map().height - 1)[c];
+    };
+    ProjectView view = view_of(window);
+    QVERIFY(!view.lights.environment.empty());
+    view.lights.ground = Vec3{0.8, 0.2, 0.2};
+    window->document().edit_view(view, QStringLiteral("ground"), next_press_id());
+    QVERIFY(QTest::qWaitFor([&] { return lowest(0) > 3 * lowest(1) && lowest(1) > 0; }, long_ms));
+    window->document().undo_stack().undo();
+    QVERIFY(QTest::qWaitFor([&] { return lowest(0) < 2 * lowest(1); }, long_ms));
+    QVERIFY(window.settle());
+  }
+
   void numbers_of_a_textured_material_change_without_its_files() {
     TestWindow window(true);
     window->show();
