@@ -144,20 +144,24 @@ SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary&
     out = surface_of(found.material, found.chosen(), found.result, vec(material.diffuse), material.gloss);
     // The record has n and k against vacuum, which do not hold for another outside medium.
     if (!material.measured->outside.empty()) out.optics.reset();
-    const bool rough = !gives_f0(found.material.material_class);
-    out.diffuse = vec(material.diffuse);
-    if (rough) {
+    if (!gives_f0(found.material.material_class)) {
       out.f0 = vec(material.specular);
       complete_from_f0(out);
     }
   } else {
     out.f0 = vec(material.specular);
-    out.diffuse = vec(material.diffuse);
     complete_from_f0(out);
   }
-  out.gloss = material.gloss;
-  out.opacity = opacity_by_mode(material);
+  take_numbers(material, out);
   return out;
+}
+
+void take_numbers(const ProjectMaterial& material, SurfaceValues& surface) {
+  surface.diffuse = vec(material.diffuse);
+  surface.gloss = material.gloss;
+  surface.opacity = opacity_by_mode(material);
+  surface.emission = vec(material.emission);
+  surface.occlusion = material.occlusion;
 }
 
 ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibrary& library) {
@@ -181,6 +185,7 @@ ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibr
   // Targets are told separately that the body is clear. An opacity below 1 would take away the reflection at
   // the surface as well.
   out.opacity = out.clear ? 1 : opacity_by_mode(material);
+  out.emission = material.emission;
   out.name = material.name;
   out.id = material.name;
   return out;
@@ -207,6 +212,7 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
     row.alpha = source_of(m, Channel::alpha, {m.alpha, m.alpha, m.alpha}, remarks);
     row.alpha_mode = m.alpha_mode;
     row.alpha_cutoff = m.alpha_cutoff;
+    if (m.emission != LinearRgb{}) remarks.push_back(m.name + ": its emission is in none of the textures");
     out.materials.push_back(std::move(row));
   }
   std::sort(out.materials.begin(), out.materials.end(),

@@ -49,6 +49,8 @@ struct ProjectMaterial {
   LinearRgb diffuse{0, 0, 0}, specular{0.04, 0.04, 0.04};
   Gloss gloss = 0.75;  // Schueler's g, or a perceptual roughness
   double alpha = 1;
+  LinearRgb emission{0, 0, 0};  // radiance that it sends out by itself, >= 0
+  double occlusion = 1;         // share of the light from all around that reaches it
   std::optional<MeasuredF0> measured;
   std::array<std::optional<ImageSource>, all_channels.size()> textures;
   AlphaMode alpha_mode = AlphaMode::blend;
@@ -153,6 +155,9 @@ std::string body_note(const ProjectMaterial& material, const FoundF0& found);
 /// The values of a material that a renderer needs. F82, n and k come from the spectrum where the material is
 /// measured, else from F0. Textures are ignored. Throws Error as find_f0() does.
 SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary& library);
+
+/// Sets what of a surface does not depend on F0: diffuse colour, gloss, opacity, emission and occlusion.
+void take_numbers(const ProjectMaterial& material, SurfaceValues& surface);
 
 /// The material for export to another program. F82 is that of the record where F0 is measured, and unknown
 /// where F0 was typed. Throws Error as find_f0() does.

@@ -120,8 +120,9 @@ class Reader {
   }
 
   ProjectMaterial material(const JsonNode& node) const {
-    node.expect_object({"name", "diffuse", "specular", "measured", "gloss", "roughness", "alpha", "textures",
-                        "alpha_mode", "alpha_cutoff", "model", "diffuse_model", "parameters"});
+    node.expect_object({"name", "diffuse", "specular", "measured", "gloss", "roughness", "alpha", "emission",
+                        "occlusion", "textures", "alpha_mode", "alpha_cutoff", "model", "diffuse_model",
+                        "parameters"});
     ProjectMaterial out;
     out.name = read_name(node);
     if (node.has("diffuse")) out.diffuse = color(node.at("diffuse"));
@@ -132,6 +133,8 @@ class Reader {
     if (node.has("gloss")) out.gloss = ranged(node.at("gloss"), 0, 1);
     if (node.has("roughness")) out.gloss = Gloss::of_roughness(ranged(node.at("roughness"), 0, 1));
     if (node.has("alpha")) out.alpha = ranged(node.at("alpha"), 0, 1);
+    if (node.has("emission")) out.emission = color(node.at("emission"), 0);
+    if (node.has("occlusion")) out.occlusion = ranged(node.at("occlusion"), 0, 1);
     if (node.has("textures")) textures(node.at("textures"), out);
     if (node.has("alpha_mode")) out.alpha_mode = read_alpha_mode(node.at("alpha_mode"));
     if (node.has("alpha_cutoff")) out.alpha_cutoff = ranged(node.at("alpha_cutoff"), 0, 1);
@@ -145,8 +148,8 @@ class Reader {
     return v;
   }
 
-  static LinearRgb color(const JsonNode& node) {
-    const auto part = [](const JsonNode& each) { return ranged(each, -largest_color, largest_color); };
+  static LinearRgb color(const JsonNode& node, double least = -largest_color) {
+    const auto part = [least](const JsonNode& each) { return ranged(each, least, largest_color); };
     return to_rgb(node.each_of<3>(part, "[r, g, b]"));
   }
 
@@ -285,6 +288,8 @@ class Writer {
     else
       members.push_back({"gloss", json(double{m.gloss})});
     members.push_back({"alpha", json(m.alpha)});
+    if (m.emission != LinearRgb{}) members.push_back({"emission", color_json(m.emission)});
+    if (m.occlusion != 1) members.push_back({"occlusion", json(m.occlusion)});
     std::vector<JsonMember> textures;
     for (const Channel channel : all_channels)
       if (const auto& source = m.texture(channel)) {

@@ -50,9 +50,7 @@ SurfaceValues Document::surface_of(const ProjectMaterial& material, QString* pro
     solved_by_ = all_.get();
   }
   SurfaceValues out = solved_;
-  out.diffuse = vec(material.diffuse);
-  out.gloss = material.gloss;
-  out.opacity = material.alpha_mode == AlphaMode::opaque ? 1 : material.alpha;
+  take_numbers(material, out);
   return out;
 }
 

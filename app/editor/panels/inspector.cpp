@@ -103,6 +103,10 @@ QWidget* Inspector::make_numbers() {
   alpha_mode_->setToolTip(
       tr("opaque: alpha opacity is not looked at; mask: drawn or not, by the cutoff; blend: mixed "
          "with what lies behind"));
+  emission_ = new ColorField(tr("Emission"), {0, 0, 0}, numbers_);
+  emission_->setToolTip(tr("Radiance that the surface sends out by itself, to all sides"));
+  occlusion_ = new NumberField(tr("Occlusion"), 0, 1, 1, numbers_);
+  occlusion_->setToolTip(tr("Share of the light of environment and hemispheres that reaches the surface"));
   specular_->setToolTip(tr("F0: what the surface reflects at normal incidence"));
   diffuse_->setToolTip(tr("What the body scatters back"));
   lobe_ = quiet_label(tr("Gloss as exponent and alpha roughness"), numbers_);
@@ -115,6 +119,8 @@ QWidget* Inspector::make_numbers() {
   numbers_->add(tr("Alpha opacity"), alpha_);
   numbers_->add(tr("Alpha mode"), alpha_mode_);
   numbers_->add(tr("Alpha cutoff"), cutoff_);
+  numbers_->add_below(tr("Emission"), emission_);
+  numbers_->add(tr("Occlusion"), occlusion_);
 
   connect_colors();
   connect_numbers();
@@ -144,6 +150,11 @@ void Inspector::connect_colors() {
     edit(tr("diffuse colour"), press, [&](ProjectMaterial& m) {
       if (measures_diffuse(m.measured, *document_.library())) m.measured.reset();
       m.diffuse = color;
+    });
+  });
+  connect(emission_, &ColorField::edited, this, [this](const LinearRgb& color, int press) {
+    edit(tr("emission"), press, [&](ProjectMaterial& m) {
+      m.emission = {std::max(0.0, color.r), std::max(0.0, color.g), std::max(0.0, color.b)};
     });
   });
   specular_->leave_reset_to_owner();
@@ -188,6 +199,7 @@ void Inspector::connect_numbers() {
   });
   number(alpha_, tr("alpha"), &ProjectMaterial::alpha);
   number(cutoff_, tr("alpha cutoff"), &ProjectMaterial::alpha_cutoff);
+  number(occlusion_, tr("occlusion"), &ProjectMaterial::occlusion);
   connect(alpha_mode_, &QComboBox::activated, this, [this](int row) {
     edit(tr("alpha mode"), next_press_id(),
          [&](ProjectMaterial& m) { m.alpha_mode = static_cast<AlphaMode>(row); });
@@ -223,6 +235,8 @@ void Inspector::show_material() {
   roughness_->show_value(m->gloss.roughness());
   alpha_->show_value(m->alpha);
   cutoff_->show_value(m->alpha_cutoff);
+  emission_->show_color(m->emission);
+  occlusion_->show_value(m->occlusion);
   alpha_->setEnabled(m->alpha_mode != AlphaMode::opaque);
   cutoff_->setEnabled(m->alpha_mode == AlphaMode::mask);
   alpha_mode_->setCurrentIndex(static_cast<int>(m->alpha_mode));

@@ -57,8 +57,9 @@ class Inspector : public PanelScroll {
   QLabel* empty_;
   QLineEdit* name_;
   SourceSection* source_;
-  ColorField *specular_ = nullptr, *diffuse_ = nullptr;
-  NumberField *gloss_ = nullptr, *roughness_ = nullptr, *alpha_ = nullptr, *cutoff_ = nullptr;
+  ColorField *specular_ = nullptr, *diffuse_ = nullptr, *emission_ = nullptr;
+  NumberField *gloss_ = nullptr, *roughness_ = nullptr, *alpha_ = nullptr, *cutoff_ = nullptr,
+              *occlusion_ = nullptr;
   QuietComboBox* alpha_mode_ = nullptr;
   QLabel* lobe_ = nullptr;
   Section* numbers_ = nullptr;

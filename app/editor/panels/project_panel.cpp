@@ -63,7 +63,7 @@ QPixmap ProjectModel::picture(int row) const {
     seed ^= value + 0x9e3779b97f4a7c15u + (seed << 6) + (seed >> 2);
   };
   for (const double v : {m.diffuse.r, m.diffuse.g, m.diffuse.b, m.specular.r, m.specular.g, m.specular.b,
-                         m.gloss.alpha(), m.alpha})
+                         m.gloss.alpha(), m.alpha, m.emission.r, m.emission.g, m.emission.b, m.occlusion})
     mix(std::hash<double>()(v));
   if (m.measured) {
     mix(std::hash<std::string>()(m.measured->material));

@@ -25,6 +25,8 @@ Project full() {
   m.measured = MeasuredF0{"gold", "johnson-1972", "water", {Observer::cie1964_10deg, Illuminant::a}};
   m.gloss = 0.625;
   m.alpha = 0.5;
+  m.emission = {2.5, 0, 0.125};
+  m.occlusion = 0.75;
   m.texture(Channel::gloss) = ImageSource{"textures/g.png", "r", "linear"};
   m.alpha_mode = AlphaMode::mask;
   m.alpha_cutoff = 0.25;
@@ -84,6 +86,9 @@ TEST_CASE("what is wrong in a project is refused with its place") {
   CHECK(contains(refused(R"({"schema": "etak-project/2", "materials": []})"), "p.json#/schema"));
   CHECK(contains(refused(head + R"({"name": "a"}, {"name": "a"}]})"), "a second material"));
   CHECK(contains(refused(head + R"({"name": "a", "gloss": 2}]})"), "p.json#/materials/0/gloss"));
+  CHECK(contains(refused(head + R"({"name": "a", "emission": [0, -1, 0]}]})"),
+                 "p.json#/materials/0/emission/1"));
+  CHECK(contains(refused(head + R"({"name": "a", "occlusion": 1.5}]})"), "p.json#/materials/0/occlusion"));
   CHECK(contains(refused(head + R"({"name": "a", "colour": 2}]})"), "unknown key \"colour\""));
   CHECK(contains(refused(head + R"({"name": "a", "model": "lambert"}]})"), "a specular model"));
   CHECK(contains(refused(head + R"({"name": "a", "diffuse": [1, 2]}]})"), "[r, g, b]"));
@@ -178,8 +183,10 @@ TEST_CASE("what is packed of a project is a manifest of its colours and pictures
   CHECK(std::holds_alternative<ImageSource>(*gold.gloss));
   CHECK(std::get<ConstantSource>(*gold.specular).linear.r == 1);
   CHECK(gold.alpha_mode == AlphaMode::mask);
-  // Gold's red, the negative blue of the diffuse colour, and the typed red above 1.
-  CHECK(remarks.size() == 3);
+  // Gold's red, the negative blue of the diffuse colour, the emission, and the typed red above 1.
+  CHECK(remarks.size() == 4);
+  CHECK(std::ranges::any_of(remarks,
+                            [](const auto& each) { return contains(each, "its emission is in none"); }));
 }
 
 TEST_CASE("a single material takes the spectra along that it uses") {

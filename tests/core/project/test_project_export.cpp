@@ -58,6 +58,7 @@ struct TexturedMaterials {
     leaf.diffuse = {0.1, 0.4, 0.2};
     use(leaf, Channel::alpha, alpha);
     plate.name = "plate";
+    plate.emission = {4, 2, 0};
     plate.alpha_mode = AlphaMode::opaque;
     use(plate, Channel::specular, mixed);
     materials = {wood, gold, leaf, plate};
@@ -95,6 +96,7 @@ TEST_CASE("textures of a glTF export give back diffuse, F0, roughness and opacit
     const GltfScene scene = read_gltf(files.back(), {});
     Pictures pictures(scene);
     REQUIRE(scene.materials.size() == 4);
+    CHECK(contains(read_file(files.back()), "\"emissiveFactor\": [1, 0.5, 0]"));
     const GltfMaterial& wood = scene.materials[0];
     CHECK(wood.alpha_mode == AlphaMode::mask);
     CHECK(wood.alpha_cutoff == 0.4);

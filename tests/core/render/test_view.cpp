@@ -6,6 +6,7 @@
 #include "core/render/camera.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/energy.h"
+#include "core/render/ground_bounce.h"
 #include "core/render/surface_textures.h"
 #include "core/render/view_moves.h"
 #include "tests/support.h"
@@ -45,6 +46,21 @@ double most_apart(const Image& a, const Image& b) {
 }
 
 }  // namespace
+
+TEST_CASE("a view shows the ground of its light setup, and a surface's emission and occlusion") {
+  ViewState state = two_golds();
+  state.a.surface.emission = {0.5, 0, 0};
+  state.a.surface.occlusion = 0.5;
+  state.lights.ground = Vec3{1, 0, 0};
+  const Scene scene = scene_of(state);
+  CHECK(scene.lights == with_ground(state.lights));
+  CHECK(scene.lights.hemispheres->lower[1] == 0);
+  const Image seen = drawn(scene);
+  state.a.surface.emission = {0, 0, 0};
+  const Image dark = drawn(scene_of(state));
+  CHECK(seen.at(32, 24)[0] - dark.at(32, 24)[0] == Approx(0.5).epsilon(1e-6));
+  CHECK(seen.at(32, 24)[1] == dark.at(32, 24)[1]);
+}
 
 TEST_CASE("a camera's axes are at right angles, and turn 90 looks from +x") {
   for (const View& view : {View{}, View{37, -12, 0, 0, 1}, View{-170, 90, 1, 2, 3}}) {
