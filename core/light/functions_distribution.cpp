@@ -34,8 +34,20 @@ constexpr FunctionInput cos_m[] = {cosine, m};
 constexpr FunctionInput nl_nv_alpha[] = {
     {"nl", "cosine of the light", "", -1, 1}, {"nv", "cosine of the viewer", "", -1, 1}, alpha};
 
+constexpr FunctionInput nl_nv[] = {nl_nv_alpha[0], nl_nv_alpha[1]};
+constexpr FunctionInput nl_nv_vh[] = {
+    nl_nv_alpha[0], nl_nv_alpha[1], {"vh", "cosine between viewer and half vector", "", 0, 1, true}};
+constexpr FunctionInput gloss_input[] = {g};
+
 double at_least_0(double x) {
   return std::max(x, 0.0);
+}
+
+// G = 4 nl nv V of a visibility that needs no more than the angle between viewer and half vector.
+double g_of(double (*v)(formulas::Angles), In x, double vh) {
+  formulas::Angles a{};
+  a.lh = vh;
+  return 4 * at_least_0(x[0]) * at_least_0(x[1]) * v(a);
 }
 
 using Distribution = double (*)(double parameter, double nm, double s2);
@@ -60,6 +72,11 @@ constexpr Function rows[] = {
      [](In x) { return formulas::d_sgd(x[0], x[1], log_sgd_norm(x[0], x[1]), at_least_0(x[2])); }},
     {"D_abc", "density of facets, 1/sr, normalised", "Hoffman, with uabc_norm", abc_nm, false,
      [](In x) { return formulas::d_abc(x[0], x[1], abc_norm(x[0], x[1]), at_least_0(x[2])); }},
+    {"D_abc_printed", "as printed, not normalised", "Hoffman, (1 + a1 (1 - nm))^-a2", abc_nm, false,
+     [](In x) {
+       const double c = at_least_0(x[2]);
+       return formulas::d_abc_printed_s2(x[0], x[1], c, (1 - c) * (1 + c));
+     }},
     {"uabc_norm", "the constant that normalises ABC, 1/sr", "integral of c (1 + a1 (1 - nm))^-a2 nm is 1",
      abc_inputs, false, [](In x) { return abc_norm(x[0], x[1]); }},
     {"integral_D_ggx", "integral of D nm", "by quadrature", width_parameter, false,
@@ -77,6 +94,12 @@ constexpr Function rows[] = {
        return formulas::g_cook_torrance(at_least_0(x[0]), at_least_0(x[1]), at_least_0(x[2]),
                                         at_least_0(x[3]));
      }},
+    {"G_implicit", "shadowing and masking, nl nv", "Hoffman", nl_nv, false,
+     [](In x) { return g_of(formulas::v_implicit, x, 1); }},
+    {"G_kelemen", "shadowing and masking, nl nv / vh^2", "Kelemen and Szirmay-Kalos 2001", nl_nv_vh, false,
+     [](In x) { return g_of(formulas::v_kelemen, x, x[2]); }},
+    {"gloss_exponent", "exponent of the lobe, 2^(12 g)", "Schueler 2009", gloss_input, false,
+     [](In x) { return formulas::gloss_exponent(x[0]); }},
     {"G1_ggx", "masking", "Smith 1967; Walter et al. 2007, eq. 34", cos_alpha, false,
      [](In x) { return formulas::g1_ggx(at_least_0(x[0]), x[1]); }},
     {"G1_beckmann_exact", "masking, with erf", "Smith 1967", cos_m, false,

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
 #include "core/color/gloss.h"
@@ -45,6 +46,26 @@ constexpr FunctionInput width_furnace[] = {{"param", "width alpha, or rms slope 
 Directions directions(In x) {
   const Vec3 l = direction_deg(x[0], 0), v = direction_deg(x[1], x[2]);
   return {l[0], l[1], l[2], v[0], v[1], v[2]};
+}
+
+constexpr std::string_view axes[] = {"x", "y", "z"};
+constexpr FunctionInput axis{"axis", "component: x of the tangent, z of the normal", "", 0, 2, false, axes};
+constexpr FunctionInput light_axis[] = {theta_l, axis};
+constexpr FunctionInput pair_axis[] = {theta_l, theta_v, phi_v, axis};
+
+// A component of r = 2 n (n . l) - l, for the light at azimuth 0.
+double reflected(In x) {
+  const Vec3 l = direction_deg(x[0], 0);
+  return Vec3{-l[0], -l[1], l[2]}[static_cast<std::size_t>(x[1])];
+}
+
+// A component of h = (l + v) / |l + v|. Throws Error for l = -v.
+double half_vector(In x) {
+  const Directions d = directions(x);
+  const Vec3 sum{d.lx + d.vx, d.ly + d.vy, d.lz + d.vz};
+  const double length = std::hypot(sum[0], sum[1], sum[2]);
+  if (length < 1e-12) throw Error::at("theta_v", "a viewer opposite to the light", "another direction");
+  return sum[static_cast<std::size_t>(x[3])] / length;
 }
 
 // The first channel of a model's f_r for the directions in x[0..2].
@@ -92,6 +113,10 @@ double furnace_width(const char* id, In x) {
 }
 
 constexpr Function rows[] = {
+    {"R", "component of the mirrored light, 2 n (n . l) - l", "Schueler 2009; TU Graz", light_axis, false,
+     reflected},
+    {"H", "component of the half vector, (l + v) / |l + v|", "Schueler 2009; TU Graz", pair_axis, false,
+     half_vector},
     {"schueler_full", "pi f nl", "Schueler 2009, technique 1", n_k_m, true,
      [](In x) { return printed("cook-torrance", x, index_and_slope(x)); }},
     {"schueler_simplified", "pi f nl", "Schueler 2009, technique 2, as printed", schueler, true,

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/error.h"
+#include "core/base/json/json_text.h"
 #include "core/base/number.h"
 #include "core/color/luminance.h"
 #include "core/pages/plot_axes.h"
@@ -32,13 +34,29 @@ void add_samples(LinePlot& plot, const PlotCurve& curve, const std::vector<doubl
   plot.curves.push_back(std::move(dots));
 }
 
+bool is_grey(const Vec3& rgb) {
+  return rgb[0] == rgb[1] && rgb[1] == rgb[2];
+}
+
 double seen(const Vec3& rgb, PlotChannel channel) {
-  return channel == PlotChannel::luminance ? luminance_of(rgb) : rgb[static_cast<std::size_t>(channel)];
+  return channel == PlotChannel::luminance && !is_grey(rgb)
+             ? luminance_of(rgb)
+             : rgb[channel == PlotChannel::luminance ? 0 : static_cast<std::size_t>(channel)];
 }
 
 std::vector<double> seen(const std::vector<Vec3>& all, PlotChannel channel) {
   std::vector<double> out;
   for (const Vec3& rgb : all) out.push_back(seen(rgb, channel));
+  return out;
+}
+
+std::string channel_name(PlotChannel channel) {
+  return std::string(plot_channels[static_cast<std::size_t>(channel)]);
+}
+
+PlotAxis angle_axis(std::string label, double first_deg) {
+  PlotAxis out{std::move(label), first_deg, 90, {}};
+  for (double tick = first_deg; tick <= 90; tick += first_deg < 0 ? 30 : 15) out.ticks.push_back(tick);
   return out;
 }
 
@@ -117,10 +135,9 @@ LinePlot reflectance_plot(const std::string& name, const OpticsCurves& curves, O
 LinePlot angle_plot(const std::string& name, const AngleCurves& curves, PlotChannel channel) {
   constexpr std::array<const char*, 5> classes{"c1 dashed", "c2 dashdot", "c4", "c5 dashed",
                                                "c6 dotted bold"};
-  constexpr std::array<const char*, 4> channels{"red", "green", "blue", "luminance"};
   LinePlot plot;
   plot.title = name + ": F over the angle of incidence";
-  plot.x = {"angle of incidence, degrees", 0, 90, {0, 15, 30, 45, 60, 75, 90}};
+  plot.x = angle_axis("angle of incidence, degrees", 0);
   Extent extent;
   const auto add = [&](const std::vector<Vec3>& rgb, const char* css_class, std::string title,
                        std::string key) {
@@ -140,11 +157,86 @@ LinePlot angle_plot(const std::string& name, const AngleCurves& curves, PlotChan
       key += ": error " + number(form.error.max_abs, 2) + " at " + number(form.error.at_deg, 3) + "°";
     add(form.rgb, classes[i % classes.size()], std::string(form.title), key + time_text(form.ns));
   }
-  plot.left = nice_axis(std::string("F, ") + channels[static_cast<std::size_t>(channel)], extent.least,
-                        std::max(extent.most, 1.0));
+  plot.left = nice_axis("F, " + channel_name(channel), extent.least, std::max(extent.most, 1.0));
   plot.description = curves.exact.empty() ? "no exact curve: the data are reflectance at normal incidence"
                                           : "errors are the largest over angles, red, green and blue";
   return plot;
+}
+
+LinePlot curves_plot(CurveKind kind, const std::vector<ColorCurve>& curves,
+                     std::span<const PlotChannel> channels, double light_deg) {
+  constexpr std::array<const char*, 4> dashes{"", " dashed", " dashdot", " dotted"};
+  constexpr std::size_t colors = 6;  // c7 to c9 are red, green and blue
+  struct Row {
+    const char *title, *x, *y;
+    double first_deg;
+  };
+  constexpr std::array<Row, 6> rows{
+      Row{"F over the angle of incidence", "angle of incidence, degrees", "F", 0},
+      Row{"D over the angle of the half vector", "angle between half vector and normal, degrees", "D, 1/sr",
+          0},
+      Row{"G in the plane of incidence", "angle of the viewer, degrees", "G", -90},
+      Row{"V in the plane of incidence", "angle of the viewer, degrees", "V = G / (4 nl nv)", -90},
+      Row{"f_r nl in the plane of incidence", "angle of the viewer, degrees", "f_r nl, 1/sr", -90},
+      Row{"reflectance over wavelength", "", "R", 0}};
+  const Row& row = rows[static_cast<std::size_t>(kind)];
+  const bool by_color = channels.size() > 1;
+  if (curves.size() > (by_color ? dashes.size() : colors * dashes.size()))
+    throw Error::at("etak curve", std::to_string(curves.size()) + " curves in a plot",
+                    by_color ? "at most 4 with all channels" : "at most 24");
+  LinePlot plot;
+  plot.title = row.title;
+  plot.x = kind == CurveKind::reflectance ? wavelength_axis() : angle_axis(row.x, row.first_deg);
+  Extent extent;
+  bool grey = true;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const bool same = std::ranges::all_of(curves[i].rgb, is_grey);
+    grey = grey && same;
+    for (const PlotChannel channel : same ? channels.first(1) : channels) {
+      const auto c = static_cast<std::size_t>(channel);
+      std::string style =
+          by_color && !same ? "c" + std::to_string(c + 7) : "c" + std::to_string(i % colors + 1);
+      style += std::string(" bold") + dashes[by_color ? i : i / colors];
+      std::string title = curves[i].title;
+      if (by_color && !same) title += ", " + channel_name(channel);
+      plot.curves.push_back({curves[i].x, seen(curves[i].rgb, channel), style, title, false, false});
+      plot.keys.push_back({std::move(style), std::move(title)});
+      extent.add(plot.curves.back().y);
+    }
+  }
+  std::string label = row.y;
+  if (!grey && !by_color) label += ", " + channel_name(channels[0]);
+  const bool to_one = kind == CurveKind::fresnel || kind == CurveKind::masking;
+  plot.left = nice_axis(std::move(label), std::min(0.0, extent.least),
+                        to_one ? std::max(extent.most, 1.0) : extent.most);
+  if (kind == CurveKind::fresnel)
+    plot.zones = {{0, 45, "barely changes"}, {45, 75, "changes"}, {75, 90, "to white"}};
+  if (row.first_deg < 0) plot.x.label += ", light at " + number(-light_deg, 6);
+  return plot;
+}
+
+PolarPlot polar_plot(const LinePlot& plot, double light_deg, RadialScale scale) {
+  Extent extent;
+  for (const PlotCurve& curve : plot.curves) extent.add(curve.y);
+  return {plot.title, plot.description, radial_axis(plot.left.label, extent.most, scale), scale, plot.curves,
+          plot.keys,  -light_deg};
+}
+
+std::string curves_json(const LinePlot& plot, std::string_view of) {
+  const auto curve = [](const PlotCurve& each) {
+    return json_object(
+        {{"title", json(each.title)}, {"x", json_array_of(each.x)}, {"y", json_array_of(each.y)}}, 4);
+  };
+  const auto zone = [](const PlotZone& each) {
+    return json_object({{"first", json(each.first)}, {"last", json(each.last)}, {"text", json(each.text)}},
+                       -1);
+  };
+  return json_document("etak-curve/1", {{"of", json(of)},
+                                        {"title", json(plot.title)},
+                                        {"x", json(plot.x.label)},
+                                        {"y", json(plot.left.label)},
+                                        {"zones", '[' + joined(plot.zones, ", ", zone) + ']'},
+                                        {"curves", json_lines_of(plot.curves, 2, curve)}});
 }
 
 PolarPlot lobe_plot(const std::string& name, const LobeCurve& lobe, RadialScale scale) {
@@ -155,7 +247,7 @@ PolarPlot lobe_plot(const std::string& name, const LobeCurve& lobe, RadialScale 
   bool grey = true;
   double most = 0;
   for (const Vec3& rgb : lobe.rgb) {
-    grey = grey && rgb[0] == rgb[1] && rgb[1] == rgb[2];
+    grey = grey && is_grey(rgb);
     for (const double value : rgb)
       if (std::isfinite(value)) most = std::max(most, value);
   }

@@ -134,6 +134,15 @@ void append_axes(std::string& out, const Frame& frame) {
   for (const double tick : plot.x.ticks)
     grid += "M" + coordinate(frame.x(tick)) + " " + coordinate(plot_bottom) + "V" + coordinate(plot_top);
   append(out, "<path class=\"grid\" d=\"", grid, "\"/>");
+  double shade = 0;
+  for (const PlotZone& zone : plot.zones) {
+    const double left = frame.x(zone.first), right = frame.x(zone.last);
+    append(out, "<rect x=\"", coordinate(left), "\" y=\"", coordinate(plot_top), "\" width=\"",
+           coordinate(right - left), "\" height=\"", coordinate(plot_bottom - plot_top),
+           "\" fill=\"#808080\" fill-opacity=\"", fixed(shade, 2), "\"/>");
+    append_text(out, (left + right) / 2, plot_top - 4, "middle", zone.text);
+    shade += 0.12;
+  }
   for (const double tick : plot.left.ticks)
     append_text(out, frame.left_edge - 6, Frame::y(tick, plot.left) + 4, "end",
                 tick_text(tick, step_of(plot.left)));

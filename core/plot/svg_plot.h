@@ -43,9 +43,16 @@ struct PlotKey {
   std::string brief = {};
 };
 
+/// A part of the x axis, with a text above it. Each zone behind the first is shaded more than the one before.
+struct PlotZone {
+  double first, last;
+  std::string_view text;
+};
+
 /// A line plot for HTML pages.
 ///   title         accessible name
 ///   description   what the plot shows in a sentence, for those who cannot see it
+///   zones         parts of the x axis; their texts need the place of the legend, which svg_file() moves away
 ///   strip         SVG paint of a thin bar below the x axis, such as "url(#spectrum)"; empty: no bar
 struct LinePlot {
   std::string title, description;
@@ -54,6 +61,7 @@ struct LinePlot {
   std::vector<PlotCurve> curves;
   std::vector<PlotKey> keys;
   std::string strip;
+  std::vector<PlotZone> zones = {};
 };
 
 /// The plot as an inline <svg> element, 460 x 270 units, coordinates with one decimal. An uninterrupted line

@@ -91,6 +91,8 @@ for verb, variants in calls.items():
     validator = schema(verb)
     for options in variants:
         check(validator, json.loads(run(verb, *options, "--format", "json")), f"{verb} {options}")
+for options in ([], ["--channel", "rgb", "--term", "schlick"], ["--of", "D", "--term", "ggx"], ["--of", "lobe"], ["--of", "R"]):
+    check(schema("curve"), json.loads(run("curve", "gold", "water", *options, "--format", "json")), f"curve {options}")
 check(schema("eval"), json.loads(run("eval", "f0", "n=1.5", "k=0", "--format", "json")), "eval f0")
 # found 1.21: the table of rules has a schema, and tools that read it get every rule.
 rules = schema("rules")

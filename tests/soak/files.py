@@ -111,7 +111,7 @@ def is_json(data):
 
 
 # Verbs without those that measure for minutes, and options that wait or measure.
-VERBS = ["f0", "list", "show", "nearest", "import", "export", "eval", "models", "pack", "render", "shader",
+VERBS = ["f0", "list", "show", "nearest", "import", "export", "eval", "models", "curve", "pack", "render", "shader",
          "stability", "choose", "validate", "explain", "help"]
 LONG = {"--watch", "--measure", "--write-costs", "--full", "--reference", "--all", "--sheet", "--stdin-format"}
 # Where a large number is an honest order for much work.

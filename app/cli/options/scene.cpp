@@ -94,21 +94,13 @@ SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues sur
   return surface;
 }
 
-SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
-  if (arguments.subject.empty())
-    throw Error::at("etak", "no material", "a material, or numbers such as f0=0.04");
-  SurfaceValues blank;
-  const std::optional<Gloss> given = given_gloss(arguments.rough);
-  if (given) blank.gloss = *given;
-  blank.opacity = arguments.opacity.value_or(1);
-  if (!arguments.diffuse.empty()) blank.diffuse = vec(typed_share("--diffuse", arguments.diffuse));
-  if (arguments.subject.front().find('=') != std::string::npos) {
-    if (arguments.compute != F0Settings{})
-      throw Error::at(arguments.subject.front(), "beside an option that says how F0 is computed",
-                      "a material");
-    notes.subject = joined(arguments.subject, " ");
-    return made_up(arguments.subject, blank);
-  }
+}  // namespace
+
+bool is_typed(const SceneArguments& arguments) {
+  return !arguments.subject.empty() && arguments.subject.front().find('=') != std::string::npos;
+}
+
+SubjectMaterial subject_material(SceneArguments& arguments, SceneNotes& notes) {
   InputNames names;
   names.names = arguments.subject;
   names.dataset = arguments.dataset;
@@ -118,17 +110,38 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
     throw Error::at(arguments.subject.front(), std::to_string(inputs.size()) + " inputs",
                     "one material, or one of its datasets");
   for (const std::string& each : alias_remarks(inputs)) notes.remarks.push_back(each);
-  const Material material = read_material(inputs[0], table_options(arguments.tables));
-  const Dataset& dataset = dataset_named(material, inputs[0].dataset, inputs[0].label());
-  notes.subject = material.id + "/" + dataset.id;
-  SurfaceValues out = surface_of(material, dataset, blank.diffuse, given, arguments, notes);
+  SubjectMaterial out{read_material(inputs[0], table_options(arguments.tables))};
+  const Dataset& dataset = dataset_named(out.material, inputs[0].dataset, inputs[0].label());
+  out.at = static_cast<std::size_t>(&dataset - out.material.datasets.data());
+  notes.subject = out.material.id + "/" + dataset.id;
+  return out;
+}
+
+SurfaceValues subject_surface(SceneArguments& arguments, SceneNotes& notes) {
+  if (arguments.subject.empty())
+    throw Error::at("etak", "no material", "a material, or numbers such as f0=0.04");
+  SurfaceValues blank;
+  const std::optional<Gloss> given = given_gloss(arguments.rough);
+  if (given) blank.gloss = *given;
+  blank.opacity = arguments.opacity.value_or(1);
+  if (!arguments.diffuse.empty()) blank.diffuse = vec(typed_share("--diffuse", arguments.diffuse));
+  if (is_typed(arguments)) {
+    if (arguments.compute != F0Settings{})
+      throw Error::at(arguments.subject.front(), "beside an option that says how F0 is computed",
+                      "a material");
+    notes.subject = joined(arguments.subject, " ");
+    return made_up(arguments.subject, blank);
+  }
+  const SubjectMaterial found = subject_material(arguments, notes);
+  const Material& material = found.material;
+  SurfaceValues out = surface_of(material, found.dataset(), blank.diffuse, given, arguments, notes);
   if (const std::string_view kind = optical_kind(material.material_class);
       kind != "dielectric" && !arguments.diffuse.empty())
     notes.remarks.push_back(material.id + " is a " + std::string(kind) + ": --diffuse is not used");
   return out;
 }
 
-Overrides read_set(const std::vector<std::string>& texts) {
+std::vector<std::pair<std::string, double>> read_set(const std::vector<std::string>& texts) {
   Overrides out;
   for (const std::string& each : texts) {
     const std::size_t equals = each.find('=');
@@ -151,6 +164,12 @@ const Model* model_named(const char* option, const std::string& id, std::string_
   for (const Model& each : models()) ids.emplace_back(each.id);
   throw Error::at(option, printable(id), "a model that etak models lists, or none" + did_you_mean(id, ids));
 }
+
+std::string clamped_remark(const ClampedValue& value) {
+  return value.name + " is " + number(value.wanted, 6) + ", taken as " + number(value.used, 6);
+}
+
+namespace {
 
 // The number of lights of --lights N; none where --lights names a file or is not given. Throws Error.
 std::optional<int> light_count(const std::string& text) {
@@ -235,8 +254,7 @@ void choose_models(Scene& scene, const std::string& specular, const std::string&
   FittedModels fitted = fit_models(scene.specular, scene.diffuse, set, scene.surface);
   scene.specular_values = std::move(fitted.specular_values);
   scene.diffuse_values = std::move(fitted.diffuse_values);
-  for (const ClampedValue& each : fitted.clamped)
-    remarks.push_back(each.name + " is " + number(each.wanted, 6) + ", taken as " + number(each.used, 6));
+  for (const ClampedValue& each : fitted.clamped) remarks.push_back(clamped_remark(each));
 }
 
 void tell_held_gloss(const Scene& scene, SceneNotes& notes) {
@@ -295,7 +313,7 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
     scene.view = View{.turn_deg = arguments.orbit, .rise_deg = arguments.tilt};
   if (!arguments.background.empty())
     scene.background = vec(typed_color("--background", arguments.background));
-  scene.surface = surface_from(arguments, notes);
+  scene.surface = subject_surface(arguments, notes);
   if (!arguments.emission.empty()) scene.surface.emission = vec(typed_emission(arguments.emission));
   scene.surface.occlusion = arguments.occlusion;
   choose_models(scene, arguments.model, arguments.diffuse_model, read_set(arguments.set), notes.remarks);
@@ -319,7 +337,7 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   return scene;
 }
 
-void add_scene_options(Command verb, SceneArguments& arguments) {
+void add_subject_options(Command verb, SceneArguments& arguments) {
   verb.option("SUBJECT", arguments.subject,
               "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or "
               "f0=1,0.78,0.34, f82=, n=, k=, diffuse=, gloss=, roughness=, opacity=")
@@ -327,12 +345,6 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
       .value_name("");
   verb.option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
       .value_name("ID");
-  verb.option("--model", arguments.model,
-              "specular model (see etak models), or none; default " + std::string(default_specular))
-      .value_name("MODEL");
-  verb.option("--diffuse-model", arguments.diffuse_model,
-              "diffuse model, or none; default " + std::string(default_diffuse))
-      .value_name("DIFFUSE_MODEL");
   verb.option("--set", arguments.set,
               "value of a model's parameter, NAME.r for one channel; may be given again")
       .value_name("NAME=NUMBER")
@@ -340,6 +352,19 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   add_color_option(verb, "--diffuse", arguments.diffuse,
                    "diffuse colour, linear; conductors and semiconductors stay black");
   add_roughness_options(verb, arguments.rough, "of the surface");
+  add_solver_options(verb, arguments.compute);
+  add_table_options(verb, arguments.tables);
+  add_library_options(verb, arguments.library);
+}
+
+void add_scene_options(Command verb, SceneArguments& arguments) {
+  add_subject_options(verb, arguments);
+  verb.option("--model", arguments.model,
+              "specular model (see etak models), or none; default " + std::string(default_specular))
+      .value_name("MODEL");
+  verb.option("--diffuse-model", arguments.diffuse_model,
+              "diffuse model, or none; default " + std::string(default_diffuse))
+      .value_name("DIFFUSE_MODEL");
   verb.option("--opacity", arguments.opacity, "of the body, 0 to 1").show_default("1, of clear bodies 0");
   add_color_option(verb, "--emission", arguments.emission,
                    "radiance that the surface sends out by itself, linear; default black");
@@ -381,11 +406,8 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.option("--tone", arguments.tone, "tone curve before --transfer; neutral is Khronos PBR Neutral")
       .words({"plain", "neutral", "agx-like", "false-color"})
       .show_default();
-  add_solver_options(verb, arguments.compute);
   verb.refuse("--space", "pictures and their lights are in linear sRGB",
               "etak f0 or etak export with --space, whose values are");
-  add_table_options(verb, arguments.tables);
-  add_library_options(verb, arguments.library);
 }
 
 }  // namespace etak::cli

@@ -12,7 +12,7 @@
 
 namespace etak::cli {
 
-/// The options that say what a picture shows.
+/// The options that say what a picture or a curve shows.
 struct SceneArguments {
   std::vector<std::string> subject;  // a material, or a surface in numbers: NAME=NUMBER[,NUMBER,NUMBER]
   std::string dataset;
@@ -34,6 +34,10 @@ struct SceneArguments {
 };
 void add_scene_options(Command verb, SceneArguments& arguments);
 
+/// Those of them that say what the surface is made of: SUBJECT, --dataset, --set, --diffuse, the roughness, and
+/// how F0 is computed.
+void add_subject_options(Command verb, SceneArguments& arguments);
+
 /// The name of the surface, and remarks for the user, such as values that were clamped to the range of a
 /// model.
 struct SceneNotes {
@@ -47,6 +51,32 @@ void tell_held_gloss(const Scene& scene, SceneNotes& notes);
 
 /// The scene that the options describe. Throws Error that names the option or file.
 Scene scene_of(SceneArguments& arguments, SceneNotes& notes);
+
+/// The material that the subject names.
+struct SubjectMaterial {
+  Material material;
+  std::size_t at = 0;  // of its dataset
+  const Dataset& dataset() const { return material.datasets[at]; }
+};
+
+/// Whether the subject is a surface in numbers instead.
+bool is_typed(const SceneArguments& arguments);
+
+/// Throws Error where the subject is no one material. `notes` gets its name and remarks on the name as typed.
+SubjectMaterial subject_material(SceneArguments& arguments, SceneNotes& notes);
+
+/// The surface that the subject names or gives in numbers. Throws Error.
+SurfaceValues subject_surface(SceneArguments& arguments, SceneNotes& notes);
+
+/// The names and values of --set. Throws Error.
+std::vector<std::pair<std::string, double>> read_set(const std::vector<std::string>& texts);
+
+/// The model of this id; null: "none". Throws Error that names the option.
+///   standard   the id that an empty one stands for
+const Model* model_named(const char* option, const std::string& id, std::string_view standard);
+
+/// The remark about a value that a model did not take as it is.
+std::string clamped_remark(const ClampedValue& value);
 
 /// The surface of a material under the options.
 ///   diffuse   of dielectrics

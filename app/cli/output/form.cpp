@@ -22,6 +22,7 @@ constexpr std::array endings{
     Ending{".txt", "table"},
     Ending{".txt", "text"},
     Ending{".csv", "csv"},
+    Ending{".svg", "svg"},
     Ending{".csv", "text", "etak eval"},  // the answers of --csv
     Ending{".sarif.json", "sarif"},
     Ending{".sarif", "sarif"},

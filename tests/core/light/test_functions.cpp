@@ -406,3 +406,20 @@ TEST_CASE("what lies outside a domain is refused with a reason") {
     CHECK(std::string(e.what()) == "test: f0 n: 0 beside k = 0; expected n above 0, or k above 0");
   }
 }
+
+TEST_CASE("the helper functions of the sources are there by themselves") {
+  CHECK(eval("gloss_exponent", "g=0.5") == near_to(64));
+  CHECK(eval("gloss_exponent", "g=1") == near_to(4096));
+  CHECK(eval("G_implicit", "nl=0.5;nv=0.25") == near_to(0.125));
+  CHECK(eval("G_implicit", "nl=-0.5;nv=0.25") == 0);
+  CHECK(eval("G_kelemen", "nl=0.5;nv=0.25;vh=0.5") == near_to(0.5));
+  CHECK(eval("D_abc_printed", "a1=10;a2=2;nm=0.9") == near_to(0.25));
+  CHECK(eval("D_abc_printed", "a1=100;a2=2;nm=0.8") * eval("uabc_norm", "a1=100;a2=2") ==
+        near_to(eval("D_abc", "a1=100;a2=2;nm=0.8")));
+  CHECK(eval("R", "theta_l=30;axis=x") == near_to(-0.5));
+  CHECK(eval("R", "theta_l=60;axis=z") == near_to(0.5));
+  // l and v at 60 and 0 degrees: h is at 30. Of l = x and v = y, h lies between them.
+  CHECK(eval("H", "theta_l=60;theta_v=0;phi_v=0;axis=z") == near_to(std::sqrt(0.75)));
+  CHECK(eval("H", "theta_l=90;theta_v=90;phi_v=90;axis=x") == near_to(std::sqrt(0.5)));
+  CHECK_THROWS_AS(eval("H", "theta_l=30;theta_v=150;phi_v=180;axis=z"), Error);
+}
