@@ -16,6 +16,7 @@ struct RenderArguments {
   OutputArguments stats;  // of --format json, which goes to standard output
   std::string picture;    // -o
   std::string device = "auto";
+  std::string ambient = "refined";
   std::string ocio, display, view;
   std::string part = "all";  // of the sheet: see draw_sheet()
   bool reference = false, sheet = false, half = false;
