@@ -17,8 +17,8 @@ TEST_CASE("the dim part of an environment and its bright lights give the irradia
     Vec3 sum = apart.irradiance_at(n);
     for (const LightSamples::Bright& light : apart.bright)
       for (std::size_t c = 0; c < 3; ++c) sum[c] += light.irradiance[c] * std::max(0.0, dot(light.from, n));
-    const Vec3 expected = whole.irradiance(n);
-    for (std::size_t c = 0; c < 3; ++c) CHECK(sum[c] == Approx(expected[c]).epsilon(0.03));
+    const Vec3 expected = whole.irradiance(n);  // 128 places stand for the bright part
+    for (std::size_t c = 0; c < 3; ++c) CHECK(sum[c] == Approx(expected[c]).epsilon(0.05));
   }
 }
 
