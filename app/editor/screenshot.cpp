@@ -47,7 +47,7 @@ void settle(Window& window) {
     QApplication::processEvents(QEventLoop::AllEvents, 20);
     const auto packing = window.findChildren<PackDialog*>();
     if (window.is_busy() || !window.thumbnails().is_idle() || !window.validator().is_idle() ||
-        window.viewport().is_drawing() || window.curves().busy() || window.texture_view().is_busy() ||
+        window.viewport().is_refining() || window.curves().busy() || window.texture_view().is_busy() ||
         std::any_of(packing.begin(), packing.end(),
                     [](const PackDialog* each) { return each->is_running(); }))
       quiet.restart();

@@ -185,7 +185,7 @@ void Window::save_picture() {
                                     tr("PNG (*.png)"), QStringLiteral("png"));
   if (file.isEmpty()) return;
   in_background(
-      io_, this, [file, picture = viewport_->grab_picture()] { return save_png(picture, file); },
+      io_, this, [file, picture = viewport_->grab_picture(true)] { return save_png(picture, file); },
       [this, file](const QString& error) {
         if (error.isEmpty())
           tell(tr("Saved %1").arg(short_path(file)));

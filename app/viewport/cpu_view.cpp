@@ -16,6 +16,7 @@ CpuView::CpuView(QWidget* parent) : QWidget(parent) {
 }
 
 CpuView::~CpuView() {
+  *stop_ = true;
   pool_.waitForDone();
 }
 
@@ -24,12 +25,13 @@ void CpuView::show_state(const ViewState& state, const ViewDisplay& display, boo
   display_ = display;
   hurry_ = hurry;
   wanted_ = true;
+  *stop_ = true;
   if (!running_) start();
 }
 
 void CpuView::start() {
   const QSize whole = picture_size();
-  if (!wanted_ || whole.isEmpty()) return;
+  if (!wanted_ || refining_ || whole.isEmpty()) return;
   wanted_ = false;
   running_ = true;
   const double share = hurry_ ? shares_.next() : 1;
@@ -67,6 +69,38 @@ void CpuView::take(const QImage& picture, const QString& message, double ms, dou
   else
     emit refused(message);
   start();
+  const bool lit_around = state_.environment || state_.lights.hemispheres;
+  if (lit_around && !running_ && !hurry_ && message.isEmpty()) refine();
+}
+
+void CpuView::refine() {
+  struct Stopped {};
+  refining_ = true;
+  stop_ = std::make_shared<std::atomic<bool>>(false);
+  ViewState refined = state_;
+  refined.refined = true;
+  in_background(
+      pool_, this,
+      [state = refined, display = display_, size = picture_size(), stop = stop_] {
+        try {
+          return cpu_picture(state, display, size, std::max(1u, std::thread::hardware_concurrency()),
+                             [&](std::size_t, unsigned) {
+                               if (*stop) throw Stopped{};
+                             });
+        } catch (const Stopped&) {
+          return QImage();
+        } catch (const Error&) {
+          return QImage();  // the moving picture of the same state has told why
+        }
+      },
+      [this](const QImage& picture) {
+        refining_ = false;
+        if (!picture.isNull() && !wanted_) {
+          picture_ = picture;
+          update();
+        }
+        start();
+      });
 }
 
 void CpuView::paintEvent(QPaintEvent*) {
@@ -81,6 +115,7 @@ void CpuView::paintEvent(QPaintEvent*) {
 
 void CpuView::resizeEvent(QResizeEvent*) {
   wanted_ = true;
+  *stop_ = true;
   if (!running_) start();
 }
 

@@ -4,6 +4,8 @@
 #include <QImage>
 #include <QThreadPool>
 #include <QWidget>
+#include <atomic>
+#include <memory>
 
 #include "app/viewport/display.h"
 #include "app/viewport/frame_share.h"
@@ -11,7 +13,8 @@
 namespace etak {
 
 /// Shows a state as the CPU renderer of core draws it, in a thread of its own. The last picture stays on the
-/// screen until the next is drawn.
+/// screen until the next is drawn. While nothing moves, the picture is refined; that stops when another state is to be
+/// shown.
 class CpuView : public QWidget {
   Q_OBJECT
 
@@ -22,7 +25,8 @@ class CpuView : public QWidget {
   void show_state(const ViewState& state, const ViewDisplay& display, bool hurry);
   QSize picture_size() const { return size() * devicePixelRatioF(); }
   double share() const { return share_; }  // of width and height that the last picture was drawn with
-  bool is_drawing() const { return running_; }
+  bool is_drawing() const { return running_ || (wanted_ && refining_); }
+  bool is_refining() const { return running_ || refining_; }  // or will be, behind the frame in work
 
  signals:
   void drawn(double frame_ms);
@@ -35,11 +39,13 @@ class CpuView : public QWidget {
  private:
   void start();
   void take(const QImage& picture, const QString& message, double ms, double share);
+  void refine();
 
   ViewState state_;
   ViewDisplay display_;
   QImage picture_;
-  bool hurry_ = false, running_ = false, wanted_ = false;
+  bool hurry_ = false, running_ = false, wanted_ = false, refining_ = false;
+  std::shared_ptr<std::atomic<bool>> stop_ = std::make_shared<std::atomic<bool>>(false);
   double share_ = 1;
   FrameShare shares_;
   QThreadPool pool_;  // the last member, so that its thread ends before the others are destroyed

@@ -43,8 +43,9 @@ QImage shown(const Image& linear, const ViewDisplay& display, unsigned threads) 
   return out;
 }
 
-QImage cpu_picture(const ViewState& state, const ViewDisplay& display, const QSize& size, unsigned threads) {
-  return shown(draw_view(state, size.width(), size.height(), threads), display, threads);
+QImage cpu_picture(const ViewState& state, const ViewDisplay& display, const QSize& size, unsigned threads,
+                   const RowsDone& rows_done) {
+  return shown(draw_view(state, size.width(), size.height(), threads, rows_done), display, threads);
 }
 
 }  // namespace etak

@@ -36,6 +36,8 @@ ViewDisplay open_display(const std::string& config, const std::string& display, 
 QImage shown(const Image& linear, const ViewDisplay& display, unsigned threads);
 
 /// The picture of a state as the CPU renderer of core draws it, `size` in pixels. Throws Error.
-QImage cpu_picture(const ViewState& state, const ViewDisplay& display, const QSize& size, unsigned threads);
+///   rows_done   as in draw_view()
+QImage cpu_picture(const ViewState& state, const ViewDisplay& display, const QSize& size, unsigned threads,
+                   const RowsDone& rows_done = {});
 
 }  // namespace etak

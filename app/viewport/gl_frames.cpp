@@ -32,13 +32,17 @@ GlFrame GlFrames::draw(const GlJob& job) {
     const bool whole = drawn_size == job.size;
     const GlTarget& shown = of_size(targets_[next_], job.size);
     const GlTarget& target = whole ? shown : of_size(small_, drawn_size);
-    const GlPainter::Drawn drawn = painter_.draw(tiles, job.state.environment, job.display, target);
+    GlPainter::Rows rows;
+    if (job.state.refined) rows = {job.band * GlJob::band_rows, GlJob::band_rows};
+    const GlPainter::Drawn drawn = painter_.draw(tiles, job.state.environment, job.display, target, rows);
+    out.context_lost = drawn.context_lost;
+    out.refined = job.state.refined;
+    if (out.refined && !job.is_last_band()) return out;
     next_ = 1 - next_;
     out.texture = shown.texture();
     out.background = drawn.background;
     out.frame_ms = drawn.frame_ms + (whole ? 0 : painter_.enlarge(target, shown));
     out.compile_ms = drawn.compile_ms;
-    out.context_lost = drawn.context_lost;
   } catch (const Error& error) {
     out.failed = QString::fromUtf8(error.what());
   }

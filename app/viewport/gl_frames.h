@@ -18,18 +18,22 @@ struct GlJob {
   ViewDisplay display;
   QSize size;
   double share = 1;  // of width and height that is drawn; the frame is then enlarged
+  int band =
+      0;  // of a refined state: which rows are drawn, so that a frame can be given up between two of them
+  static constexpr int band_rows = 32;
+  bool is_last_band() const { return (band + 1) * band_rows >= size.height(); }
 };
 
 /// A frame in a texture, or the reason why there is none.
 struct GlFrame {
-  unsigned texture = 0;  // 0: nothing was drawn
+  unsigned texture = 0;  // 0: nothing was drawn, or not yet the last band
   QSize size;
   QColor background;
   double share = 1;
   double frame_ms = 0;
   double compile_ms =
       0;  // for the first tile's program and its first drawing, in this frame or an earlier one
-  bool context_lost = false;
+  bool context_lost = false, refined = false;
   QString refused;  // why the state cannot be drawn; the texture is then grey
   QString failed;   // why this context cannot draw at all
 };

@@ -11,6 +11,8 @@
 #include "app/viewport/gl_program.h"
 #include "app/viewport/gl_textures.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/render/ambient/ambient.h"
 
 namespace etak {
 namespace {
@@ -31,7 +33,9 @@ struct GlPainter::State {
   std::shared_ptr<const Environment> environment;
   std::unique_ptr<GlTexture> irradiance, levels;
   std::map<const Image*, std::unique_ptr<GlTexture>>
-      backdrops;  // maps of it; made when a backdrop shows them first
+      maps;  // others of it; made when a backdrop or a refined picture shows them first
+  std::shared_ptr<const AmbientTable> lobe;  // whose samples are in `lobe_samples`
+  std::unique_ptr<GlTexture> lobe_samples;
   std::shared_ptr<const OcioShader> display;
   std::vector<std::unique_ptr<GlTexture>> tables;
 
@@ -58,7 +62,7 @@ struct GlPainter::State {
     if (wanted == environment) return;
     irradiance.reset();
     levels.reset();
-    backdrops.clear();
+    maps.clear();
     environment = wanted;
     if (!environment) return;
     irradiance = std::make_unique<GlTexture>(gl, environment->irradiance_map(), true);
@@ -74,8 +78,8 @@ struct GlPainter::State {
         tables.push_back(std::make_unique<GlTexture>(gl, table));
   }
 
-  GlTexture& backdrop_texture(const Image* map) {
-    std::unique_ptr<GlTexture>& out = backdrops[map];
+  GlTexture& environment_texture(const Image* map) {
+    std::unique_ptr<GlTexture>& out = maps[map];
     if (!out) out = std::make_unique<GlTexture>(gl, *map, true);
     return *out;
   }
@@ -84,7 +88,17 @@ struct GlPainter::State {
     std::optional<Environment::Blurred> behind;
     if (environment && scene.backdrop.environment) {
       behind = environment->blurred(scene.backdrop.blur);
-      for (const Image* map : {behind->sharp, behind->dull}) (void)backdrop_texture(map);
+      for (const Image* map : {behind->sharp, behind->dull}) (void)environment_texture(map);
+    }
+    const LightSamples* light = nullptr;
+    if (scene.refined) {
+      if (environment) light = &environment->samples(scene.bright_apart, thread_count(0));
+      if (light != nullptr)
+        for (const Image* map : {&light->irradiance, &light->stack}) (void)environment_texture(map);
+      const auto table = ambient_table(scene, held_by_textures(scene));
+      if (table != lobe && !table->samples.empty())
+        lobe_samples = std::make_unique<GlTexture>(gl, table->samples.picture, false);
+      lobe = table;
     }
     // The pair is made before the other textures are bound, because making a texture binds it to unit 0.
     const Pair* pair = scene.textures ? &take_textures(scene.textures) : nullptr;
@@ -94,12 +108,15 @@ struct GlPainter::State {
       program.set_sampler(sampler, unit++);
     };
     if (environment) {
-      bind(*irradiance, "environment_irradiance");
+      bind(light != nullptr ? environment_texture(&light->irradiance) : *irradiance,
+           "environment_irradiance");
       bind(*levels, "environment_levels");
     }
+    if (light != nullptr) bind(environment_texture(&light->stack), "environment_samples");
+    if (scene.refined && !lobe->samples.empty()) bind(*lobe_samples, "ambient_samples");
     if (behind) {
-      bind(backdrop_texture(behind->sharp), "backdrop_sharp");
-      bind(backdrop_texture(behind->dull), "backdrop_dull");
+      bind(environment_texture(behind->sharp), "backdrop_sharp");
+      bind(environment_texture(behind->dull), "backdrop_dull");
       program.set({"backdrop_share", 1, 1, false, {static_cast<float>(behind->share)}});
     }
     if (pair != nullptr) {
@@ -114,7 +131,8 @@ struct GlPainter::State {
   struct Compiled {
     double now_ms = 0, ms = 0;
   };
-  Compiled draw_tile(const ViewTile& tile, int height) {
+  Compiled draw_tile(ViewTile tile, int height) {
+    tile.scene = with_bright_lights(tile.scene, environment.get(), thread_count(0));
     GlslDisplay shown;
     if (display) shown = {display->text, display->function, "OpenColorIO"};
     const GlslParts parts = glsl_parts(tile.scene, display ? &shown : nullptr);
@@ -144,7 +162,9 @@ struct GlPainter::State {
     program.set({"picture_origin", 2, 1, false, {static_cast<float>(tile.x), static_cast<float>(bottom)}});
     bind_textures(program, tile.scene);
     gl.glViewport(tile.x, bottom, tile.scene.width, tile.scene.height);
-    gl.glScissor(tile.clip_first, bottom, tile.clip_last - tile.clip_first, tile.scene.height);
+    const int first = std::max(bottom, rows.first),
+              last = std::min(bottom + tile.scene.height, rows.first + rows.count);
+    gl.glScissor(tile.clip_first, first, tile.clip_last - tile.clip_first, std::max(0, last - first));
     gl.glDrawArrays(text.ring ? GL_TRIANGLE_STRIP : GL_TRIANGLE_FAN, 0, text.corners);
     if (program.drawn) return 0;
     // Drivers put off part of the compiling until the first drawing.
@@ -161,6 +181,8 @@ struct GlPainter::State {
       pixel.values[c] = static_cast<float>(scene.background[c] * scene.exposure);
     return shown(pixel, shows, 1).pixelColor(0, 0);
   }
+
+  Rows rows;  // that are drawn
 
   Drawn draw(const std::vector<ViewTile>& tiles, const ViewDisplay& shows, const GlTarget& target) {
     Drawn out;
@@ -179,7 +201,7 @@ struct GlPainter::State {
     gl.glViewport(0, 0, size.width(), size.height());
     out.background = tiles.empty() ? QColor(51, 51, 51) : background(tiles.front().scene, shows);
     gl.glClearColor(out.background.redF(), out.background.greenF(), out.background.blueF(), 1);
-    gl.glClear(GL_COLOR_BUFFER_BIT);
+    if (rows.first == 0) gl.glClear(GL_COLOR_BUFFER_BIT);
     // Shaders write the coverage of the object into the fourth channel, which in a window would be opacity.
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     gl.glEnable(GL_SCISSOR_TEST);
@@ -208,7 +230,8 @@ std::unique_ptr<GlTarget> GlPainter::target(const QSize& size) {
 
 GlPainter::Drawn GlPainter::draw(const std::vector<ViewTile>& tiles,
                                  const std::shared_ptr<const Environment>& environment,
-                                 const ViewDisplay& display, const GlTarget& target) {
+                                 const ViewDisplay& display, const GlTarget& target, const Rows& rows) {
+  state_->rows = rows;
   state_->take(environment);
   state_->take(display.gpu);
   return state_->draw(tiles, display, target);
@@ -231,7 +254,7 @@ QImage GlPainter::picture(const std::vector<ViewTile>& tiles,
                           const QSize& size) {
   Gl& gl = state_->gl;
   const GlTarget target(gl, size);
-  draw(tiles, environment, display, target);
+  draw(tiles, environment, display, target, {});
   QImage out(size, QImage::Format_RGBX8888);
   gl.glPixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.glReadPixels(0, 0, size.width(), size.height(), GL_RGBA, GL_UNSIGNED_BYTE, out.bits());

@@ -37,8 +37,12 @@ class GlPainter {
     QColor background;
     bool context_lost = false;
   };
+  /// Rows of the target from below; the background is drawn with the first ones.
+  struct Rows {
+    int first = 0, count = 1 << 20;
+  };
   Drawn draw(const std::vector<ViewTile>& tiles, const std::shared_ptr<const Environment>& environment,
-             const ViewDisplay& display, const GlTarget& target);
+             const ViewDisplay& display, const GlTarget& target, const Rows& rows);
 
   /// Copies `small` to the whole of `target`, waits for it, and returns the milliseconds that it took.
   double enlarge(const GlTarget& small, const GlTarget& target);

@@ -61,6 +61,7 @@ void GlView::drop() {
   doneCurrent();
   frame_ = {};
   drawing_ = fresh_ = false;
+  band_ = -1;
   wanted_ = true;
 }
 
@@ -88,14 +89,22 @@ void GlView::initializeGL() {
 }
 
 GlJob GlView::next_job() {
-  wanted_ = false;
-  whole_ = picture_size();
-  return {state_, display_, whole_, hurry_ ? shares_.next() : 1};
+  refining_ = !wanted_;
+  if (wanted_) {
+    wanted_ = false;
+    whole_ = picture_size();
+    band_ = !hurry_ && (state_.environment || state_.lights.hemispheres) ? 0 : -1;
+    return {state_, display_, whole_, hurry_ ? shares_.next() : 1};
+  }
+  GlJob out{state_, display_, whole_, 1, band_};
+  out.state.refined = true;
+  band_ = out.is_last_band() ? -1 : band_ + 1;
+  return out;
 }
 
 void GlView::begin() {
-  if (frames_) update();  // without a thread, the frame is drawn in paintGL()
-  if (!thread_ || !wanted_ || drawing_ || picture_size().isEmpty()) return;
+  if (frames_ && wants_more()) update();  // without a thread, the frame is drawn in paintGL()
+  if (!thread_ || !wants_more() || drawing_ || picture_size().isEmpty()) return;
   drawing_ = true;
   thread_->draw(next_job(), [this](const GlFrame& frame) {
     drawing_ = false;
@@ -109,9 +118,12 @@ void GlView::take(const GlFrame& frame) {
   if (frame.context_lost) return tell_loss();
   if (!frame.failed.isEmpty()) emit failed(frame.failed);
   if (!frame.refused.isEmpty()) emit refused(frame.refused);
+  if (!frame.failed.isEmpty() || !frame.refused.isEmpty()) band_ = -1;
   if (frame.texture == 0) return;
+  const double compile_ms = frame.refined ? frame_.compile_ms : frame.compile_ms;
   frame_ = frame;
-  fresh_ = frame.refused.isEmpty();
+  frame_.compile_ms = compile_ms;
+  fresh_ = frame.refused.isEmpty() && !frame.refined;
 }
 
 void GlView::tell_loss() {
@@ -122,7 +134,7 @@ void GlView::tell_loss() {
 void GlView::paintGL() {
   if (!thread_ && !frames_) return;
   if (whole_ != picture_size()) wanted_ = true;
-  if (frames_ && wanted_) take(frames_->draw(next_job()));
+  if (frames_ && wants_more()) take(frames_->draw(next_job()));
   begin();
   if (!context()->isValid()) return tell_loss();
   QElapsedTimer timer;

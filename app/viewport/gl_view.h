@@ -17,7 +17,7 @@ QString why_no_gl();
 
 /// Shows a state as OpenGL draws it. Where contexts can share, it is drawn in a thread of its own: the last
 /// picture stays on the screen until the next is drawn, so that the user does not wait for a shader to be
-/// compiled.
+/// compiled. While nothing moves, the frame is refined, band by band.
 class GlView : public QOpenGLWidget {
   Q_OBJECT
 
@@ -36,7 +36,8 @@ class GlView : public QOpenGLWidget {
   QString gl_name() const { return gl_name_; }
   double compile_ms() const { return frame_.compile_ms; }
   double share() const { return frame_.share; }  // of width and height that the last frame was drawn with
-  bool is_drawing() const { return drawing_; }
+  bool is_drawing() const { return drawing_ && (wanted_ || !refining_); }
+  bool is_refining() const { return wants_more() || drawing_; }  // or will be, behind the frame in work
   bool is_threaded() const { return thread_ != nullptr; }
 
  signals:
@@ -50,6 +51,7 @@ class GlView : public QOpenGLWidget {
   void paintGL() override;
 
  private:
+  bool wants_more() const { return wanted_ || band_ >= 0; }
   GlJob next_job();
   void begin();  // begins the next frame, if one is wanted and none is in work
   void take(const GlFrame& frame);
@@ -61,8 +63,10 @@ class GlView : public QOpenGLWidget {
   ViewDisplay display_;
   std::unique_ptr<GlThread> thread_;  // either thread_ or frames_ is there
   std::unique_ptr<GlFrames> frames_;
-  GlFrame frame_;  // the last frame
-  QSize whole_;    // size of the view when the last frame was begun
+  GlFrame frame_;          // the last frame
+  QSize whole_;            // size of the view when the last frame was begun
+  bool refining_ = false;  // the frame in work is a band of a refined one
+  int band_ = -1;          // of the refined frame, that is drawn next; -1: none
   unsigned reader_ = 0;
   QString gl_name_;
   bool hurry_ = false, threaded_, wanted_ = true, drawing_ = false, fresh_ = false, lost_ = false;

@@ -180,17 +180,18 @@ const ViewState& Viewport::state() const {
   return d_->state;
 }
 
-QImage Viewport::grab_picture() {
+QImage Viewport::grab_picture(bool refined) {
   const QSize size = d_->picture_size();
+  ViewState state = d_->shown_state();
+  state.refined = refined;
   try {
     if (!d_->display.is_of(d_->state)) {
       const ViewState& s = d_->state;
       d_->openers.waitForDone();
       d_->display = etak::open_display(s.ocio_config, s.ocio_display, s.ocio_view, s.tone);
     }
-    if (d_->gl != nullptr) return d_->gl->picture(d_->shown_state(), d_->display, size);
-    return cpu_picture(d_->shown_state(), d_->display, size,
-                       std::max(1u, std::thread::hardware_concurrency()));
+    if (d_->gl != nullptr) return d_->gl->picture(state, d_->display, size);
+    return cpu_picture(state, d_->display, size, std::max(1u, std::thread::hardware_concurrency()));
   } catch (const Error& error) {
     d_->refusal = QString::fromUtf8(error.what());
     d_->tell_message();
@@ -198,6 +199,11 @@ QImage Viewport::grab_picture() {
   QImage out(size.expandedTo(QSize(1, 1)), QImage::Format_RGB888);
   out.fill(QColor(51, 51, 51));
   return out;
+}
+
+bool Viewport::is_refining() const {
+  return is_drawing() || (d_->gl != nullptr && d_->gl->is_refining()) ||
+         (d_->cpu != nullptr && d_->cpu->is_refining());
 }
 
 bool Viewport::is_drawing() const {

@@ -48,9 +48,11 @@ class Viewport : public QWidget {
 
   /// The picture of the state in device pixels, without marks and texts; waits until it is drawn. Grey where
   /// the state cannot be drawn.
-  QImage grab_picture();
+  ///   refined   as in struct Scene; else the picture that is shown while things move
+  QImage grab_picture(bool refined = false);
 
-  bool is_drawing() const;  // a picture of this state or of an earlier one is still in work
+  bool is_drawing() const;   // a picture of this state or of an earlier one is still in work
+  bool is_refining() const;  // so, or a refined one is
 
   bool uses_gl() const;
   QString gl_name() const;          // renderer and version, as the driver names them; empty without GL

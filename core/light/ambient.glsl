@@ -8,6 +8,21 @@ vec3 probe_axis(vec3 n, vec3 v, real nv, real tilt) {
   return n * (1 - tilt + 2 * tilt * nv) - v * tilt;
 }
 
+// A tangent in the plane of normal and viewer; where these are the same, any.
+vec3 viewer_tangent(vec3 n, vec3 v, real nv) {
+  vec3 along = v - n * nv;
+  vec3 other = abs(n.x) < real(0.6) ? vec3(1, 0, 0) - n * n.x : vec3(0, 1, 0) - n * n.y;
+  vec3 t = dot(along, along) > real(1e-8) ? along : other;
+  return t / sqrt(dot(t, t));
+}
+
+// The mirrored viewer of a half vector.
+//   h   in the frame of tangent t, bitangent b and normal n; of any length, whose square the result has
+vec3 sample_axis(vec3 h, vec3 t, vec3 b, vec3 n, vec3 v) {
+  vec3 w = t * h.x + b * h.y + n * h.z;
+  return w * (2 * dot(w, v)) - v * dot(h, h);
+}
+
 // The directional albedo where F0 follows a texture.
 //   c   coefficients of 1, F0 and F0^2
 vec3 albedo_of_f0(vec3 c, vec3 F0) {

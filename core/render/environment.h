@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include "core/image/image.h"
 #include "core/light/studio.h"
 #include "core/math/mat3.h"
+#include "core/render/ambient/light_samples.h"
 
 namespace etak {
 
@@ -62,6 +64,9 @@ class Environment {
   const Image& level_stack() const { return stack_; }
   static constexpr int level_tile = 160;  // columns and rows of a level with its border
 
+  /// What refined pictures see of the environment, made when it is first asked for.
+  const LightSamples& samples(bool bright_apart, unsigned threads) const;
+
   /// Two maps between which lies the environment as a backdrop shows it, and the weight of the duller one.
   /// They live as long as the environment.
   struct Blurred {
@@ -94,6 +99,8 @@ class Environment {
   // Cumulated luminance over the rows, and in each row over its columns; the last sums are 1.
   std::vector<double> row_sums_, column_sums_;
   double contrast_ = 1;
+  struct Refined;
+  std::shared_ptr<std::array<Refined, 2>> refined_;  // whole, and with the bright part apart
 };
 
 /// A turn of the environment around y: converts directions between the scene and the map.

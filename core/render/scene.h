@@ -186,7 +186,10 @@ struct Scene {
   std::optional<View> view;         // none: the whole object from the front
   bool perspective = false;         // orthographic otherwise
   double field_of_view_deg = 30;    // perspective: vertical
-  double exposure = 1;              // linear factor
+  // Hemispheres and environment are seen by samples of the model's lobe, not by the few round lobes of a moving picture.
+  bool refined = false;
+  bool bright_apart = false;  // set by with_bright_lights()
+  double exposure = 1;        // linear factor
   Tone tone = Tone::plain;
   Transfer transfer = Transfer::srgb;
   Vec3 background{0.18, 0.18, 0.18};  // linear

@@ -10,6 +10,7 @@ vec3 narrowed(const Vec3& v) {
 struct Shading {
   const Scene& scene;
   const Environment* environment;
+  const LightSamples* samples = nullptr;  // what a refined picture sees of the environment
   Camera camera;
   SceneBackdrop backdrop;
   EnvironmentTurn turn;
@@ -183,10 +184,10 @@ void reflect_ambient(const Shading& shading, Chunk& c) {
   }
   if (const Environment* environment = shading.environment) {
     if (textured)
-      add_environment(c, *environment, shading.turn, *shading.ambient, of_texture, with_specular,
-                      shading.with_diffuse);
+      add_environment(c, *environment, shading.samples, shading.turn, *shading.ambient, of_texture,
+                      with_specular, shading.with_diffuse);
     else
-      add_environment(c, *environment, shading.turn, *shading.ambient, same, with_specular,
+      add_environment(c, *environment, shading.samples, shading.turn, *shading.ambient, same, with_specular,
                       shading.with_diffuse);
   }
 }
@@ -345,7 +346,10 @@ void draw_beside(const Shading& shading, int first, int last, int row, const Tar
 template <class Target>
 void draw(const Scene& scene, const Environment* environment, unsigned threads, const Target& target,
           const RowsDone& rows_done) {
-  const Shading shading(scene, environment);
+  const Scene lit = with_bright_lights(scene, environment, threads);
+  Shading shading(lit, environment);
+  if (lit.refined && environment != nullptr)
+    shading.samples = &environment->samples(lit.bright_apart, threads);
   const auto draw_row = [&](int row, Chunk& c) {
     const Camera::Span span = shading.camera.covered(row), whole = shading.camera.whole(row);
     draw_beside(shading, 0, span.first, row, target);

@@ -22,6 +22,7 @@ Scene frame_of(const ViewState& state, int width, int height) {
   out.lights = with_ground(state.lights);
   out.lights.environment = state.environment ? "given" : "";
   out.environment_turn_deg = state.environment_turn_deg;
+  out.refined = state.refined;
   out.exposure = state.exposure;
   out.background = state.background;
   out.backdrop = state.backdrop;
@@ -102,11 +103,11 @@ std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height) 
   return out;
 }
 
-Image draw_view(const ViewState& state, int width, int height, unsigned threads) {
+Image draw_view(const ViewState& state, int width, int height, unsigned threads, const RowsDone& rows_done) {
   Image out(width, height, 4);
   Image part;
   for (const ViewTile& tile : view_tiles(state, width, height)) {
-    render_cpu(tile.scene, state.environment.get(), threads, Precision::f32, part);
+    render_cpu(tile.scene, state.environment.get(), threads, Precision::f32, part, rows_done);
     for (int y = 0; y < part.height; ++y)
       for (int x = tile.clip_first; x < tile.clip_last; ++x) {
         const auto from = part.at(x - tile.x, y);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/render/cpu_renderer.h"
 #include "core/render/environment.h"
 #include "core/render/scene.h"
 
@@ -37,6 +38,7 @@ struct ViewState {
   std::shared_ptr<const Environment> environment;
   double environment_turn_deg = 0;
   View camera;
+  bool refined = false;                              // as in struct Scene
   double exposure = 1;                               // linear factor
   std::string ocio_config, ocio_display, ocio_view;  // of OpenColorIO; all three empty: `tone`, then sRGB
   Tone tone = Tone::plain;
@@ -62,6 +64,8 @@ std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height);
 
 /// Draws the picture on the CPU: linear radiance times exposure over the background, and the object's
 /// coverage as fourth channel. Throws Error as view_tiles() does.
-Image draw_view(const ViewState& state, int width, int height, unsigned threads);
+///   rows_done   as in render_cpu(); what it throws ends the drawing
+Image draw_view(const ViewState& state, int width, int height, unsigned threads,
+                const RowsDone& rows_done = {});
 
 }  // namespace etak

@@ -28,6 +28,17 @@ vec3 environment_specular(vec3 r, float level) {
              clamp(level - first, 0.0, 1.0));
 }
 
+// The same for the samples of a refined picture: see struct LightSamples (core/render/ambient/light_samples.h).
+uniform sampler2D environment_samples;
+vec3 environment_sample(vec3 r, float level) {
+  const float tile = 322.0;
+  float first = clamp(floor(level) + 2.0, 0.0, 9.0);
+  vec2 at = (octahedral_place(r).xy * (tile - 2.0) + 1.0) / tile;
+  at.y = (at.y + first) / 11.0;
+  return mix(texture(environment_samples, at).xyz, texture(environment_samples, at + vec2(0.0, 1.0 / 11.0)).xyz,
+             clamp(level + 2.0 - first, 0.0, 1.0));
+}
+
 // What is seen behind the object: two maps between which the blur lies, and the share of the duller one.
 uniform sampler2D backdrop_sharp;
 uniform sampler2D backdrop_dull;

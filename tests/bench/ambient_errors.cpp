@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// ambient_errors [--quick] [--samples N] [--side N] [--threads N] [--json FILE] [--table FILE] [MODEL...]: how far the moving picture of
+// ambient_errors [--quick] [--refined] [--samples N] [--side N] [--threads N] [--json FILE] [--table FILE] [MODEL...]: how far the moving picture of
 // a ball in etak's environments is off from the integral of its own model, in CIEDE2000 with the brightest pixel white:
 // mean, 99th percentile and largest of the pixels that the ball covers whole, for each cell of material, model, gloss and
 // environment. Both pictures take the middle of each pixel, so that the filter of a pixel, which is no part of the term, is
 // in neither. Without --quick: 3 materials with every specular model and 12 materials with the six most used, glosses 0.2, 0.5,
-// 0.8 and 1, five environments.
+// 0.8 and 1, five environments. With --refined: the refined picture, whose 99th percentile should be at most 1.5.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -30,13 +30,13 @@ namespace {
 
 using namespace etak;
 
-// A mean at or below this is what an isotropic lobe should have.
+// A mean, or the 99th percentile of a refined picture, at or below this is what an isotropic lobe should have.
 constexpr double aim = 1.5;
 // The materials that every model is measured with.
 const std::set<std::string> every_model = {"gold", "osmium", "water"};
 
 struct Options {
-  bool quick = false;
+  bool quick = false, refined = false;
   std::size_t samples = 2048;
   int side = 64;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
@@ -123,20 +123,21 @@ void print_accuracy(const std::string& file, const std::vector<Cell>& cells) {
   std::fclose(out);
 }
 
-void print_table(const std::vector<Cell>& cells) {
+void print_table(const std::vector<Cell>& cells, bool refined) {
+  const auto judged = [refined](const Cell& c) { return refined ? c.off.p99 : c.off.mean; };
   struct Sum {
     double mean = 0, p99 = 0, largest = 0, met = 0, count = 0;
-    void add(const Cell& c) {
+    void add(const Cell& c, double judged) {
       mean += c.off.mean;
       p99 = std::max(p99, c.off.p99);
       largest = std::max(largest, c.off.largest);
-      met += c.off.mean <= aim ? 1 : 0;
+      met += judged <= aim ? 1 : 0;
       ++count;
     }
   };
   const auto print = [&](const char* title, auto key) {
     std::map<std::string, Sum> sums;
-    for (const Cell& c : cells) sums[key(c)].add(c);
+    for (const Cell& c : cells) sums[key(c)].add(c, judged(c));
     std::printf("\n%-44s %6s %9s %9s %9s %7s\n", title, "cells", "mean dE", "worst p99", "largest", "met");
     for (const auto& [name, s] : sums)
       std::printf("%-44s %6.0f %9.2f %9.2f %9.2f %6.1f%%\n", name.c_str(), s.count, s.mean / s.count, s.p99,
@@ -148,11 +149,11 @@ void print_table(const std::vector<Cell>& cells) {
   print("environment", [&](const Cell& c) { return c.environment + ", " + gloss(c); });
   print("material", [](const Cell& c) { return c.material; });
   print("lobe", [](const Cell& c) { return std::string(c.round ? "isotropic" : "anisotropic"); });
-  std::puts("\ncells of isotropic lobes whose mean is above 1.5:");
+  std::printf("\ncells of isotropic lobes whose %s is above 1.5:\n", refined ? "99th percentile" : "mean");
   double noise = 0;
   for (const Cell& c : cells) {
     noise = std::max(noise, c.off.noise);
-    if (c.off.mean > aim && c.round)
+    if (judged(c) > aim && c.round)
       std::printf("  %-14s %-28s gloss %.1f %-12s mean %5.2f p99 %6.2f largest %6.2f\n", c.material.c_str(),
                   c.model.c_str(), c.gloss, c.environment.c_str(), c.off.mean, c.off.p99, c.off.largest);
   }
@@ -166,6 +167,8 @@ Options parsed(int argc, char** argv) {
     const auto next = [&] { return i + 1 < argc ? argv[++i] : ""; };
     if (word == "--quick")
       out.quick = true;
+    else if (word == "--refined")
+      out.refined = true;
     else if (word == "--samples")
       out.samples = static_cast<std::size_t>(std::max(64, std::atoi(next())));
     else if (word == "--side")
@@ -201,6 +204,7 @@ void run(const Options& options) {
       const auto truths = ambient_truths(scenes, *environment, options.samples, options.threads);
       for (std::size_t i = 0; i < scenes.size(); ++i) {
         Image shown;
+        scenes[i].refined = options.refined;
         render_cpu(scenes[i], environment.get(), options.threads, Precision::f32, shown);
         cells.push_back({pairs[i].first, std::string(pairs[i].second->id), std::string(studio.name), gloss,
                          !ambient_table(scenes[i], {})->anisotropic, ambient_difference(truths[i], shown)});
@@ -209,7 +213,7 @@ void run(const Options& options) {
     }
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  print_table(cells);
+  print_table(cells, options.refined);
   std::printf("%zu cells in %.0f s on %u threads\n", cells.size(), seconds, options.threads);
   if (!options.json.empty()) print_json(options.json, cells, seconds);
   if (!options.table.empty()) print_accuracy(options.table, cells);

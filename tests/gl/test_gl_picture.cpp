@@ -62,6 +62,29 @@ TEST_CASE("GL draws the CPU's picture: every feature of a scene") {
     }
 }
 
+TEST_CASE("GL draws the CPU's refined picture within two codes") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  for (const char* id : {"ggx-schlick", "oren-nayar", "blinn-phong"})
+    for (const Variant& variant : variants(*find_model(id))) {
+      Scene scene = variant.scene;
+      const bool with_sky = !scene.lights.environment.empty();
+      scene.refined = true;
+      scene.width = 60;
+      scene.height = 41;
+      Image expected;
+      render_cpu(scene, with_sky ? &sky() : nullptr, 2, Precision::f32, expected);
+      const Image drawn = gl->render(scene, with_sky ? &sky() : nullptr);
+      const Image8 a = to_codes(expected, scene.exposure, scene.transfer, scene.tone),
+                   b = to_codes(drawn, scene.exposure, scene.transfer, scene.tone);
+      int most = 0;
+      for (std::size_t i = 0; i < a.values.size(); ++i)
+        most = std::max(most, std::abs(int(a.values[i]) - int(b.values[i])));
+      INFO(id << ", " << variant.name);
+      CHECK(most <= 2);
+    }
+}
+
 TEST_CASE("GL draws the CPU's picture: every model") {
   GlRunner* gl = gl_here();
   if (gl == nullptr) return;

@@ -38,7 +38,16 @@ class ViewportGl : public QObject {
   void check(const ViewState& state, const QByteArray& what, const ViewDisplay& display = {},
              bool beside = false) {
     viewport->set_state(state);
-    const QImage picture = on_screen();
+    compare(state, on_screen(), what, display, beside);
+    if (!state.environment && !state.lights.hemispheres) return;
+    QVERIFY(QTest::qWaitFor([this] { return !viewport->is_refining(); }, patience_ms));
+    ViewState refined = state;
+    refined.refined = true;
+    compare(refined, on_screen(), what + ", refined", display, beside);
+  }
+
+  static void compare(const ViewState& state, const QImage& picture, const QByteArray& what,
+                      const ViewDisplay& display, bool beside) {
     Image linear = draw_view(state, picture.width(), picture.height(), 2);
     for (std::size_t i = 3; beside && i < linear.values.size(); i += 4)
       if (linear.values[i] == 0) linear.values[i] = 1;
@@ -315,6 +324,8 @@ class ViewportGl : public QObject {
     auto* view = plain.findChild<GlView*>();
     QVERIFY(!view->is_threaded());
     viewport->set_state(gold_state());
+    const auto both_refined = [&] { return !plain.is_refining() && !viewport->is_refining(); };
+    QVERIFY(QTest::qWaitFor(both_refined, patience_ms));
     QCOMPARE(view->grabFramebuffer(), on_screen());
     QCOMPARE(plain.grab_picture(), viewport->grab_picture());
     QVERIFY(plain.compile_ms() > 0);
@@ -322,6 +333,7 @@ class ViewportGl : public QObject {
     plain.set_state(state_with(*find_model("ggx-schlick")));
     viewport->set_state(state_with(*find_model("ggx-schlick")));
     QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
+    QVERIFY(QTest::qWaitFor(both_refined, patience_ms));
     QCOMPARE(view->grabFramebuffer(), on_screen());
   }
 

@@ -330,6 +330,7 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   if (!arguments.environment.empty()) scene.lights.environment = arguments.environment;
   if (!arguments.ground.empty()) scene.lights.ground = vec(typed_share("--ground", arguments.ground));
   scene.lights = with_ground(scene.lights);
+  scene.refined = arguments.refined;
   tell_areas(scene, notes.remarks);
   validate(scene);
   if (std::string text = ambient_remark(scene, held_by_textures(scene)); !text.empty())

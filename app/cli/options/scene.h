@@ -24,6 +24,7 @@ struct SceneArguments {
   RoughnessArguments rough;
   std::string emission, ground;  // colours as typed
   double occlusion = 1;
+  bool refined = false;           // as in struct Scene
   std::optional<double> opacity;  // none: 1, and 0 of clear bodies
   double exposure = 1, field_of_view = 30;
   std::string lights, environment, tone = "plain", transfer = "srgb", size = "512";

@@ -22,6 +22,7 @@
 #include "core/color/srgb.h"
 #include "core/image/image_io.h"
 #include "core/render/ambient/accuracy.h"
+#include "core/render/ambient/ambient.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/display.h"
 #include "core/render/glsl/gl_runner.h"
@@ -163,6 +164,12 @@ std::string surface_json(const SurfaceValues& s) {
   return json_object(out, -1);
 }
 
+// How the light of hemispheres and environment was drawn.
+std::string ambient_json(const Scene& scene, const Stats& stats) {
+  if (stats.device == "reference") return json_object({{"form", json("reference")}}, -1);
+  return json_object({{"form", json(scene.refined ? "refined" : "moving")}}, -1);
+}
+
 std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& notes, unsigned threads) {
   std::vector<JsonMember> out{{"schema", json("etak-render/1")},
                               {"subject", json(stats.subject)},
@@ -171,6 +178,7 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
                               {"specular", model_json(scene.specular, scene.specular_values)},
                               {"diffuse", model_json(scene.diffuse, scene.diffuse_values)},
                               {"lights", json(scene.lights.lights.size())},
+                              {"ambient", ambient_json(scene, stats)},
                               {"device", json(stats.device)},
                               {"threads", json(std::size_t{threads})},
                               {"prepare_ms", number(stats.prepare_ms, 6)},
@@ -299,6 +307,7 @@ int draw_within_memory(RenderArguments& arguments) {
   }
   Stats stats;
   SceneNotes notes;
+  arguments.scene.refined = arguments.ambient == "refined" && !arguments.reference;
   Scene scene;
   if (!arguments.sweep.empty()) {
     const Image row = draw_sweep(

@@ -16,6 +16,7 @@ struct RenderArguments {
   OutputArguments stats;  // of --format json, which goes to standard output
   std::string picture;    // -o
   std::string device = "auto";
+  std::string ambient = "refined";
   std::string ocio, display, view;
   std::string texture, gloss_texture;  // files: diffuse colour and opacity; F0 and gloss
   std::string sweep;                   // NAME=VALUES

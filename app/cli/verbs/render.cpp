@@ -35,6 +35,12 @@ void add_render(CommandLine& line) {
   verb.option("--device", arguments->device, "cpu, gl, or auto (cpu)")
       .one_of({"auto", "cpu", "gl"})
       .show_default();
+  verb.option(
+          "--ambient", arguments->ambient,
+          "hemispheres and environment: refined (the models themselves, by samples) or moving (the terms of "
+          "a picture that moves)")
+      .one_of({"refined", "moving"})
+      .show_default();
   verb.flag(
       "--reference", arguments->reference,
       "double precision, Fresnel per wavelength, supersampled; hemispheres and environment by sampling");

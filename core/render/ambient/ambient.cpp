@@ -14,7 +14,7 @@ namespace etak {
 namespace {
 
 using std::numbers::pi;
-constexpr int gloss_rows = 5, views_of_rows = 12;
+constexpr int gloss_rows = 5, views_of_rows = 12, gloss_rows_of_samples = 33, azimuth_rows = 64;
 constexpr std::size_t azimuths = 16;
 constexpr std::array<double, 3> fitted_f0{0.04, 0.5, 1};
 
@@ -149,8 +149,8 @@ bool is_anisotropic(const Model& model, const std::vector<double>& values) {
 }
 
 // The view of a node.
-double view_of(const AmbientTable& table, int i) {
-  const double x = double(i) / (table.views - 1);
+double view_of(int i, int views) {
+  const double x = double(i) / (views - 1);
   return std::max(x * x, 1e-3);
 }
 
@@ -186,6 +186,15 @@ void take_samples(const Pairs& pairs, std::vector<LobeSample>& samples) {
   }
 }
 
+// The directional albedo, or its coefficients where `of_f0`; `pairs` keep what it is made of.
+Vec3 albedo_at(const Model& model, const std::vector<double>& values, double nv, int turns, bool of_f0,
+               Pairs& pairs) {
+  pairs.clear();
+  add_half_vectors(nv, turns, pairs);
+  pairs.evaluate(model, values.data());
+  return of_f0 ? quadratic(fitted_f0, pairs.sum()) : pairs.sum();
+}
+
 // One row of nodes, for one gloss.
 void add_row(const Model& model, const std::vector<double>& values, AmbientTable& out) {
   Pairs pairs;
@@ -196,23 +205,17 @@ void add_row(const Model& model, const std::vector<double>& values, AmbientTable
   const std::size_t before = out.albedo.size() / 3;
   out.albedo.resize(3 * (before + static_cast<std::size_t>(out.views)));
   for (auto& each : out.probes) each.resize(out.albedo.size());
-  const auto evaluate_at = [&](double nv) {
-    pairs.clear();
-    add_half_vectors(nv, turns, pairs);
-    pairs.evaluate(model, values.data());
-  };
   // From straight views to grazing ones, so that each fit begins at that of the view before.
   for (int i = out.views - 1; i >= 0; --i) {
-    const double nv = view_of(out, i);
-    evaluate_at(nv);
-    const Vec3 sum = pairs.sum(), albedo = out.of_f0 ? quadratic(fitted_f0, sum) : sum;
+    const double nv = view_of(i, out.views);
+    const Vec3 albedo = albedo_at(model, values, nv, turns, out.of_f0, pairs);
     const std::size_t at = 3 * (before + static_cast<std::size_t>(i));
     for (std::size_t c = 0; c < 3; ++c) out.albedo[at + c] = static_cast<float>(albedo[c]);
     // The lobe changes slowly with the view: every second node has a fit of its own.
     const bool first = i + 1 == out.views;
     if (i > 0 && (out.views - 1 - i) % 2 == 1) continue;
     const double seen = std::min(nv, straightest_fit);
-    if (seen < nv) evaluate_at(seen);
+    if (seen < nv) (void)albedo_at(model, values, seen, turns, out.of_f0, pairs);
     take_samples(pairs, samples);
     // Half vectors around the normal are stretched by 1 / nv along the plane of normal and viewer, or narrowed across
     // it; a level is a factor of 2^0.75 in width. F narrows a lobe as much again.
@@ -235,6 +238,7 @@ struct Surface {
   const Model *specular, *diffuse;
   std::vector<double> specular_values, diffuse_values;
   Textured textured;
+  bool refined;
   friend bool operator==(const Surface&, const Surface&) = default;
 };
 
@@ -248,11 +252,9 @@ void add_specular(const Surface& surface, AmbientTable& out) {
     out.glosses = gloss_rows;
     out.views = views_of_rows;
   }
-  if (!out.of_f0 && out.glosses == 1) return add_row(model, values, out);
   // The textures' values in place of the surface's.
   TexturedValues at_texel(model, values);
-  for (int row = 0; row < out.glosses; ++row) {
-    const double gloss = out.glosses > 1 ? double(row) / (out.glosses - 1) : 0;
+  const auto values_at = [&](double gloss) {
     const double* here = at_texel.at({0, 0, 0, 1}, {fitted_f0[0], fitted_f0[1], fitted_f0[2], gloss});
     std::size_t at = 0;
     for (const Parameter& each : model.parameters)
@@ -264,8 +266,31 @@ void add_specular(const Surface& surface, AmbientTable& out) {
         else if (each.role == Role::f0 ? out.of_f0 : out.glosses > 1)
           values[at] = here[at];
       }
-    add_row(model, values, out);
+  };
+  const bool varies = out.of_f0 || out.glosses > 1;
+  const auto each_gloss = [&](int rows, const auto& add) {
+    for (int row = 0; row < rows; ++row) {
+      if (varies) values_at(rows > 1 ? double(row) / (rows - 1) : 0);
+      add(row);
+    }
+  };
+  each_gloss(out.glosses, [&](int) { add_row(model, values, out); });
+  // An anisotropic lobe that changes with the texel would need rows of both.
+  if (!surface.refined || (out.anisotropic && out.glosses > 1)) return;
+  out.samples.by_azimuth = out.anisotropic;
+  if (out.glosses > 1 || out.anisotropic) {
+    out.samples.rows = out.anisotropic ? azimuth_rows : gloss_rows_of_samples;
+    out.samples.views = 24;
   }
+  each_gloss(out.samples.rows, [&](int row) {
+    const double azimuth = out.anisotropic ? pi * row / azimuth_rows : 0;
+    set_lobe_samples(model, values, out.of_f0, azimuth, row, out.samples);
+    for (int view = 0; out.of_f0 && view < out.samples.views; ++view) {
+      const auto to = out.samples.picture.at(2 * out.samples.count, row * out.samples.views + view);
+      const Vec3 albedo = quadratic(fitted_f0, {to[0], to[1], to[2]});
+      for (std::size_t c = 0; c < 3; ++c) to[c] = static_cast<float>(albedo[c]);
+    }
+  });
 }
 
 void add_body(const Surface& surface, AmbientTable& out) {
@@ -277,9 +302,9 @@ void add_body(const Surface& surface, AmbientTable& out) {
   set_role(*model, Role::diffuse, 0, black);
   Pairs pairs;
   for (int i = 0; i < out.views; ++i) {
-    Vec3 albedo = body_albedo(*model, white, view_of(out, i), pairs);
+    Vec3 albedo = body_albedo(*model, white, view_of(i, out.views), pairs);
     if (combined) {
-      const Vec3 mirror = body_albedo(*model, black, view_of(out, i), pairs);
+      const Vec3 mirror = body_albedo(*model, black, view_of(i, out.views), pairs);
       for (std::size_t c = 0; c < 3; ++c) albedo[c] -= mirror[c];
     }
     append(out.body, albedo);
@@ -298,14 +323,15 @@ HemisphereForm hemisphere_form(const Scene& scene) {
       scene.lights.hemispheres ? scene.lights.hemispheres->form : HemisphereForm::model;
   if (asked != HemisphereForm::automatic) return asked;
   const bool of_schueler = scene.specular != nullptr && scene.specular->source.starts_with("Schueler");
-  return of_schueler ? HemisphereForm::corrected : HemisphereForm::model;
+  return of_schueler && !scene.refined ? HemisphereForm::corrected : HemisphereForm::model;
 }
 
 std::shared_ptr<const AmbientTable> ambient_table(const Scene& scene, const Textured& textured) {
   constexpr std::size_t most = 16;
   static std::mutex guard;
   static std::deque<std::pair<Surface, std::shared_ptr<const AmbientTable>>> made;  // the newest first
-  const Surface surface{scene.specular, scene.diffuse, scene.specular_values, scene.diffuse_values, textured};
+  const Surface surface{scene.specular,       scene.diffuse, scene.specular_values,
+                        scene.diffuse_values, textured,      scene.refined};
   {
     const std::lock_guard lock(guard);
     for (const auto& [of, table] : made)
@@ -320,11 +346,28 @@ std::shared_ptr<const AmbientTable> ambient_table(const Scene& scene, const Text
   return out;
 }
 
+Scene with_bright_lights(const Scene& scene, const Environment* environment, unsigned threads) {
+  Scene out = scene;
+  if (!scene.refined || environment == nullptr || scene.specular == nullptr) return out;
+  out.bright_apart = ambient_table(scene, held_by_textures(scene))->samples.wide;
+  if (!out.bright_apart) return out;
+  const EnvironmentTurn turn(scene.environment_turn_deg);
+  // As light of the environment, they are hidden by what occludes it, and not counted in Schueler's units.
+  const double share = scene.surface.occlusion / (scene.lights.pi_scaled ? pi : 1);
+  for (const LightSamples::Bright& bright : environment->samples(true, threads).bright) {
+    Light light;
+    light.direction = scaled(turn.from_map(bright.from), -1);
+    light.color = scaled(bright.irradiance, share);
+    out.lights.lights.push_back(light);
+  }
+  return out;
+}
+
 std::string ambient_remark(const Scene& scene, const Textured& textured) {
   if (scene.specular == nullptr || (!scene.lights.hemispheres && scene.lights.environment.empty())) return "";
   const std::string light = "; under hemispheres and environment ", id(scene.specular->id);
   const auto table = ambient_table(scene, textured);
-  if (table->anisotropic)
+  if (table->anisotropic && table->samples.empty())
     return "the lobe of " + id + " depends on how the surface is turned about its normal" + light +
            "round lobes stand for it";
   if (table->glosses > 1 || table->of_f0)

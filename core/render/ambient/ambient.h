@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/render/ambient/lobe_fit.h"
+#include "core/render/ambient/lobe_samples.h"
+#include "core/render/environment.h"
 #include "core/render/scene.h"
 
 namespace etak {
@@ -28,6 +30,7 @@ struct AmbientTable {
       false;  // the lobe depends on how the surface is turned about its normal: round ones stand for it
   std::vector<float> albedo, body;
   std::array<std::vector<float>, probe_count> probes;
+  LobeSamples samples;  // of a refined scene; they then stand for the lobe in place of the probes
 };
 
 /// Which of a surface's values textures hold.
@@ -43,6 +46,9 @@ HemisphereForm hemisphere_form(const Scene& scene);
 /// The table of a scene's surface. The last ones are kept, so that a picture that only turns does not compute one.
 /// Takes about a millisecond, six times that where the gloss follows a texture.
 std::shared_ptr<const AmbientTable> ambient_table(const Scene& scene, const Textured& textured);
+
+/// A refined scene whose lobe is wide, with the bright part of its environment as lights; other scenes as they are.
+Scene with_bright_lights(const Scene& scene, const Environment* environment, unsigned threads);
 
 /// What of a surface its light from all around cannot follow, as a sentence; empty: nothing, or there is no such light.
 std::string ambient_remark(const Scene& scene, const Textured& textured);

@@ -11,6 +11,8 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/render/ambient/ambient.h"
 #include "core/render/glsl/gl_context.h"
 
 namespace etak {
@@ -149,19 +151,20 @@ class Target {
 // an array of numbers is read texel by texel.
 class FloatTexture {
  public:
-  FloatTexture(int unit, const Image& map) : FloatTexture(unit, map.width, map.height, map.values) {
+  FloatTexture(int unit, const Image& map)
+      : FloatTexture(unit, map.width, map.height, map.values, map.channels == 4 ? GL_RGBA : GL_RGB) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   }
-  FloatTexture(int unit, int width, int height, const std::vector<float>& rgb) {
+  FloatTexture(int unit, int width, int height, const std::vector<float>& rgb, GLenum channels = GL_RGB) {
     glGenTextures(1, &id_);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, id_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     // Drivers read texels of four floats faster than those of three.
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGB, GL_FLOAT, rgb.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, channels, GL_FLOAT, rgb.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
@@ -272,21 +275,31 @@ class Prepared {
   Prepared(State& state, const Scene& scene, const Environment* environment) {
     validate(scene);
     if (scene.textures) throw Error::at("scene", "has textures", "one without them for this way of drawing");
-    Scene drawn = scene;
+    Scene drawn = with_bright_lights(scene, environment, thread_count(0));
     // The pointer alone says whether there is an environment; a file name without its picture gives no light.
     drawn.lights.environment = environment != nullptr ? "given" : "";
     const GlslText text = glsl_text(drawn);
     corners_ = text.corners;
     const Program& program = state.use(text);
+    const auto add = [&](const char* name, const Image& map) {
+      program.set_sampler(name, int(textures_.size()));
+      textures_.emplace_back(std::make_unique<FloatTexture>(int(textures_.size()), map));
+    };
+    const auto lobe = drawn.refined ? ambient_table(drawn, {}) : nullptr;
+    if (lobe != nullptr && !lobe->samples.empty()) add("ambient_samples", lobe->samples.picture);
     if (environment == nullptr) return;
-    const Environment::Blurred behind = environment->blurred(scene.backdrop.blur);
-    const std::array maps{std::pair("environment_irradiance", &environment->irradiance_map()),
-                          std::pair("environment_levels", &environment->level_stack()),
-                          std::pair("backdrop_sharp", behind.sharp), std::pair("backdrop_dull", behind.dull)};
-    for (std::size_t unit = 0; unit < (scene.backdrop.environment ? 4 : 2); ++unit) {
-      textures_.emplace_back(std::make_unique<FloatTexture>(int(unit), *maps[unit].second));
-      program.set_sampler(maps[unit].first, int(unit));
+    if (drawn.refined) {
+      const LightSamples& light = environment->samples(drawn.bright_apart, thread_count(0));
+      add("environment_samples", light.stack);
+      add("environment_irradiance", light.irradiance);
+    } else {
+      add("environment_irradiance", environment->irradiance_map());
     }
+    add("environment_levels", environment->level_stack());
+    if (!scene.backdrop.environment) return;
+    const Environment::Blurred behind = environment->blurred(scene.backdrop.blur);
+    add("backdrop_sharp", *behind.sharp);
+    add("backdrop_dull", *behind.dull);
     program.set({"backdrop_share", 1, 1, false, {static_cast<float>(behind.share)}});
   }
   int corners() const { return corners_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/glsl/glsl_ambient.h"
 
+#include <numbers>
 #include <utility>
 
 namespace etak {
@@ -59,8 +60,44 @@ std::string GlslAmbient::needs_probes() {
   return code;
 }
 
+// Adds what a lobe reflects by its samples.
+//   seen   the light of a sample, of its `axis` and its level s.w
+std::string GlslAmbient::samples(const std::string& seen) {
+  const LobeSamples& of = table_->samples;
+  const std::string last = std::to_string(of.views - 2), views = std::to_string(of.views);
+  if (!std::exchange(has_probes_, true)) {
+    glue_.declare("sampler2D", "ambient_samples");
+    glue_.uniform("sample_count", of.count);
+  }
+  std::string row = "0";
+  if (of.by_azimuth)
+    row = "(int(floor(atan(dot(v, cross(n, tangent_of(n))), dot(v, tangent_of(n))) * " +
+          glsl_decimal(of.rows / std::numbers::pi) + " + 0.5)) + " + std::to_string(of.rows) + ") % " +
+          std::to_string(of.rows) + " * " + views;
+  else if (of.rows > 1)
+    row = "int(clamp(" + gloss_ + ", 0.0, 1.0) * " + glsl_decimal(of.rows - 1) + " + 0.5) * " + views;
+  const auto between = [](const std::string& column) {
+    return "mix(texelFetch(ambient_samples, ivec2(" + column +
+           ", sample_row), 0),\n                 texelFetch(ambient_samples, ivec2(" + column +
+           ", sample_row + 1), 0), sample_view)";
+  };
+  return needs_cosine() + "  {\n  float sample_view = sqrt(clamp(nv, 0.0, 1.0)) * " +
+         glsl_decimal(of.views - 1) + ";\n  int sample_row = min(int(sample_view), " + last +
+         ");\n  sample_view -= float(sample_row);\n" + "  sample_row += " + row +
+         ";\n  vec3 seen = vec3(0.0);\n  vec3 along = viewer_tangent(n, v, nv);\n  vec3 across = cross(n, "
+         "along);\n" +
+         "  for (int i = 0; i < int(sample_count); ++i) {\n    vec4 s = " + between("i") +
+         ";\n    vec3 share = " + between("i + int(sample_count)") +
+         ".xyz;\n    vec3 axis = sample_axis(s.xyz, along, across, n, v);\n    seen += share * " + seen +
+         ";\n  }\n  vec3 sample_albedo = " + between("2 * int(sample_count)") +
+         ".xyz;\n  sum += " + (table_->of_f0 ? "albedo_of_f0(sample_albedo, " + f0_ + ")" : "sample_albedo") +
+         " * seen;\n  }\n";
+}
+
 std::string GlslAmbient::hemispheres() {
   const HemisphereForm form = hemisphere_form(scene_);
+  if (form == HemisphereForm::model && !table_->samples.empty())
+    return samples("mix(sky_lower, sky_upper, probe_share(dot(normalize(axis), sky_axis), s.w))");
   if (form == HemisphereForm::model)
     return needs_probes() + "  sum += ambient_albedo * mix(sky_lower, sky_upper, " +
            sum_of_probes([](const std::string& probe) {

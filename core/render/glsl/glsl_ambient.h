@@ -22,6 +22,7 @@ class GlslAmbient {
   ///   to_map   the GLSL expression of a direction in its map
   template <class ToMap>
   std::string environment(const ToMap& to_map) {
+    if (!table_->samples.empty()) return samples("environment_sample(" + to_map("axis") + ", s.w)");
     return needs_probes() + "  sum += ambient_albedo * (" + sum_of_probes([&](const std::string& probe) {
              return "environment_specular(" + to_map("probe_axis(n, v, nv, " + probe + ".x)") + ", " + probe +
                     ".y)";
@@ -47,6 +48,7 @@ class GlslAmbient {
   }
   std::string needs_cosine();
   std::string needs_probes();
+  std::string samples(const std::string& seen);
 
   GlslGlue& glue_;
   const Scene& scene_;

@@ -67,7 +67,6 @@ TEST_CASE("a white surrounding is right to dE 0.5 for every model, osmium at glo
       }
       const std::vector<double>& values =
           model.kind == ModelKind::diffuse ? scene.diffuse_values : scene.specular_values;
-      const Image picture = drawn(scene, white);
       AlbedoOptions options;
       options.lobe_width = alpha_of_gloss(gloss);
       options.error = 1e-4;
@@ -79,11 +78,15 @@ TEST_CASE("a white surrounding is right to dE 0.5 for every model, osmium at glo
               return rgb[1];
             },
             angle_deg(column), options);
-        // The middle row lies half a pixel beside the middle.
-        const double shown =
-            double((picture.at(column, side / 2)[1] + picture.at(column, side / 2 - 1)[1]) / 2);
-        CAPTURE(model.id, gloss, angle_deg(column), truth, shown);
-        CHECK(difference(truth, shown) < 0.5);
+        for (const bool refined : {false, true}) {
+          scene.refined = refined;
+          const Image picture = drawn(scene, white);
+          // The middle row lies half a pixel beside the middle.
+          const double shown =
+              double((picture.at(column, side / 2)[1] + picture.at(column, side / 2 - 1)[1]) / 2);
+          CAPTURE(model.id, gloss, refined, angle_deg(column), truth, shown);
+          CHECK(difference(truth, shown) < 0.5);
+        }
       }
     }
 }
