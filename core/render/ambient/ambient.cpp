@@ -348,7 +348,9 @@ std::shared_ptr<const AmbientTable> ambient_table(const Scene& scene, const Text
 
 Scene with_bright_lights(const Scene& scene, const Environment* environment, unsigned threads) {
   Scene out = scene;
-  if (!scene.refined || environment == nullptr || scene.specular == nullptr) return out;
+  // Under textures a model is evaluated texel by texel, which takes too long for so many lights.
+  const bool textured = scene.textures != nullptr;
+  if (!scene.refined || environment == nullptr || scene.specular == nullptr || textured) return out;
   out.bright_apart = ambient_table(scene, held_by_textures(scene))->samples.wide;
   if (!out.bright_apart) return out;
   const EnvironmentTurn turn(scene.environment_turn_deg);

@@ -47,7 +47,7 @@ HemisphereForm hemisphere_form(const Scene& scene);
 /// Takes about a millisecond, six times that where the gloss follows a texture.
 std::shared_ptr<const AmbientTable> ambient_table(const Scene& scene, const Textured& textured);
 
-/// A refined scene whose lobe is wide, with the bright part of its environment as lights; other scenes as they are.
+/// A refined scene without textures whose lobe is wide, with the bright part of its environment as lights; other scenes as they are.
 Scene with_bright_lights(const Scene& scene, const Environment* environment, unsigned threads);
 
 /// What of a surface its light from all around cannot follow, as a sentence; empty: nothing, or there is no such light.

@@ -48,8 +48,9 @@ std::vector<CellPoint> cell_points(const LobeDensity& density, std::vector<int>&
   for (int ring = 0; ring < rings; ++ring) {
     const double inner = angle_at(double(ring) / rings), outer = angle_at((ring + 1.0) / rings);
     if (ring_sectors.size() == std::size_t(ring))
-      ring_sectors.push_back(std::max(
-          3, static_cast<int>(std::lround(2 * pi * std::sin((inner + outer) / 2) / (outer - inner)))));
+      ring_sectors.push_back(static_cast<int>(
+          std::clamp(2 * pi * std::sin((inner + outer) / 2) / std::max(outer - inner, 1e-9), 3.0, 32.0) +
+          0.5));
     const int sectors = ring_sectors[std::size_t(ring)];
     for (int i = 0; i < sectors * each; ++i) {
       const int step = i % each / steps;
