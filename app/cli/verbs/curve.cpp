@@ -30,9 +30,9 @@ constexpr std::array<std::string_view, 6> kinds{"F", "D", "G", "V", "lobe", "R"}
 constexpr std::string_view of_spectrum = "spectrum";  // the F of a material that no term approximates
 constexpr double radian = std::numbers::pi / 180;
 
-// The words of each subject: a material is one word. Of a surface in numbers each name stands once; the next
-// surface begins where a name comes again.
-std::vector<std::vector<std::string>> subjects_of(const std::vector<std::string>& words) {
+// The words of each subject, or those of --set for each curve: a material is one word. Of numbers each name
+// stands once; where a name comes again, the next group begins.
+std::vector<std::vector<std::string>> grouped(const std::vector<std::string>& words) {
   std::vector<std::vector<std::string>> out;
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('=') + 1);  // "f0="; empty for materials
@@ -187,6 +187,10 @@ void check(const CurveArguments& arguments, CurveKind kind) {
     throw Error::at("--term", "given with --of " + arguments.of, lobe ? "--model" : "a material alone");
   if (!arguments.models.empty() && spectrum)
     throw Error::at("--model", "given with --of R", "a material alone");
+  const bool of_data =
+      spectrum || (kind == CurveKind::fresnel && arguments.terms.empty() && arguments.models.empty());
+  if (!arguments.scene.set.empty() && of_data)
+    throw Error::at("--set", "given without a term or model", "--term or --model, whose numbers it sets");
   if (arguments.scale != "linear" && (!lobe || arguments.straight))
     throw Error::at("--scale", arguments.scale, "--of lobe without --straight");
   if (arguments.scene.subject.empty() && (lobe || spectrum || kind == CurveKind::fresnel))
@@ -198,12 +202,20 @@ std::vector<ColorCurve> curves_of(CurveArguments& arguments, CurveKind kind) {
   if (kind != CurveKind::lobe && kind != CurveKind::reflectance) all = terms_of(arguments, kind);
   if (all.empty() && kind != CurveKind::lobe && kind != CurveKind::reflectance && kind != CurveKind::fresnel)
     throw Error::at("etak curve", "no term for --of " + arguments.of, "--term or --model");
-  auto subjects = subjects_of(arguments.scene.subject);
+  std::vector<const Model*> lobes;
+  if (kind == CurveKind::lobe) {
+    if (arguments.models.empty()) lobes.push_back(find_model(default_specular));
+    for (const std::string& id : arguments.models) lobes.push_back(model_named("--model", id, {}));
+    if (std::ranges::find(lobes, nullptr) != lobes.end())
+      throw Error::at("--model", "none", "a model, which has a lobe");
+  }
+  auto subjects = grouped(arguments.scene.subject), sets = grouped(arguments.scene.set);
+  if (sets.empty()) sets.emplace_back();
   const bool named = !subjects.empty();
   if (!named) subjects = {{"f0=0.04"}};  // D, G and V depend on the roughness alone
   if (kind == CurveKind::fresnel) {
     // F depends neither on the roughness nor on the body, of which there is nothing to remark.
-    arguments.scene.rough.gloss = arguments.scene.rough.gloss.value_or(1);
+    arguments.scene.rough = {.gloss = 1, .roughness = {}};
     arguments.scene.opacity = 1;
   }
   Curves out(arguments, kind);
@@ -216,15 +228,12 @@ std::vector<ColorCurve> curves_of(CurveArguments& arguments, CurveKind kind) {
     }
     if (std::ranges::find(all, nullptr) != all.end()) out.add_spectrum();
     out.take_surface(named);
-    if (default_fresnel) out.add(*find_term(TermKind::fresnel, "exact"));
-    for (const Term* each : all)
-      if (each != nullptr) out.add(*each);
-    if (kind != CurveKind::lobe) continue;
-    if (arguments.models.empty()) out.add(*find_model(default_specular));
-    for (const std::string& id : arguments.models) {
-      const Model* model = model_named("--model", id, {});
-      if (model == nullptr) throw Error::at("--model", id, "a model, which has a lobe");
-      out.add(*model);
+    for (const auto& set : sets) {
+      arguments.scene.set = set;
+      if (default_fresnel) out.add(*find_term(TermKind::fresnel, "exact"));
+      for (const Term* each : all)
+        if (each != nullptr) out.add(*each);
+      for (const Model* each : lobes) out.add(*each);
     }
   }
   out.tell();
