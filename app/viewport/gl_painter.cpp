@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/render/ambient/ambient.h"
+#include "core/render/ambient/light_samples.h"
 
 namespace etak {
 namespace {

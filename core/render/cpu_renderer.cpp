@@ -12,6 +12,7 @@
 #include "core/color/luminance.h"
 #include "core/light/area_lobes.h"
 #include "core/render/ambient/ambient.h"
+#include "core/render/ambient/light_samples.h"
 #include "core/render/backdrop.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"

@@ -16,6 +16,7 @@
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
 #include "core/render/ambient/lat_long.h"
+#include "core/render/ambient/light_samples.h"
 #include "core/render/ambient/prefilter.h"
 #include "core/render/ambient/round_lobe.h"
 

@@ -10,9 +10,10 @@
 #include "core/image/image.h"
 #include "core/light/studio.h"
 #include "core/math/mat3.h"
-#include "core/render/ambient/light_samples.h"
 
 namespace etak {
+
+struct LightSamples;
 
 /// Light from all directions as a latitude-longitude picture of radiance (linear sRGB), with the prefiltered
 /// forms that shading uses.

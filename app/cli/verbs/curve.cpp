@@ -105,7 +105,7 @@ class Curves {
     if (kind_ == CurveKind::reflectance) {
       const OpticsCurves all = curves_of(optics, options);
       if (all.r0.empty()) throw Error::at(notes_.subject, "holds no data", "data within 360 to 830 nm");
-      ColorCurve& curve = curves.emplace_back(notes_.subject, all.r_nm);
+      ColorCurve& curve = curves.emplace_back(ColorCurve{notes_.subject, all.r_nm, {}});
       for (const double value : all.r0) curve.rgb.push_back({value, value, value});
       return;
     }
@@ -114,7 +114,7 @@ class Curves {
       throw Error::at(notes_.subject, "holds reflectance at normal incidence alone",
                       "data of n and k, or --term");
     const SeenFresnel seen(*constants, notes_.subject, options);
-    ColorCurve& curve = curves.emplace_back(notes_.subject);
+    ColorCurve& curve = curves.emplace_back(ColorCurve{notes_.subject, {}, {}});
     const auto steps = static_cast<int>(std::lround(90 / arguments_.step));
     for (int i = 0; i <= steps; ++i) {
       curve.x.push_back(90.0 * i / steps);

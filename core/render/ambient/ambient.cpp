@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/math/quadrature.h"
+#include "core/render/ambient/light_samples.h"
 #include "core/render/surface_textures.h"
 
 namespace etak {

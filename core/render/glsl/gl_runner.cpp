@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/render/ambient/ambient.h"
+#include "core/render/ambient/light_samples.h"
 #include "core/render/glsl/gl_context.h"
 
 namespace etak {
