@@ -46,6 +46,10 @@ LoadedEnvironment load(const LightSetup& lights, std::shared_ptr<const Image> pi
           std::make_shared<const Environment>(*out.picture, scale, name, prefilter_threads, prefilter);
     }
     out.environment = with_ground(lights, std::move(out.environment), prefilter_threads, prefilter);
+    // So that the thread that draws does not wait for what refined pictures see.
+    if (!quick && out.environment)
+      for (const bool bright_apart : {false, true})
+        (void)out.environment->samples(bright_apart, prefilter_threads);
   } catch (const Error& error) {
     out.error = QString::fromUtf8(error.what());
   } catch (const std::bad_alloc&) {

@@ -69,8 +69,7 @@ void CpuView::take(const QImage& picture, const QString& message, double ms, dou
   else
     emit refused(message);
   start();
-  const bool lit_around = state_.environment || state_.lights.hemispheres;
-  if (lit_around && !running_ && !hurry_ && message.isEmpty()) refine();
+  if (has_refined(state_) && !running_ && !hurry_ && message.isEmpty()) refine();
 }
 
 void CpuView::refine() {

@@ -93,7 +93,7 @@ GlJob GlView::next_job() {
   if (wanted_) {
     wanted_ = false;
     whole_ = picture_size();
-    band_ = !hurry_ && (state_.environment || state_.lights.hemispheres) ? 0 : -1;
+    band_ = !hurry_ && has_refined(state_) ? 0 : -1;
     return {state_, display_, whole_, hurry_ ? shares_.next() : 1};
   }
   GlJob out{state_, display_, whole_, 1, band_};

@@ -80,7 +80,7 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
       }
 
   if (map_.width > sharpest_width) smaller_map_ = at_most(map_, sharpest_width);
-  const bool quick = prefilter == Prefilter::quick;
+  const bool quick = quick_ = prefilter == Prefilter::quick;
   const Image seen = at_most(map_, quick ? quick_width : prefilter_width);
   irradiance_ = irradiance_of(seen, threads);
   for (int i = 0; i < level_count; ++i) {

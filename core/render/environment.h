@@ -65,6 +65,9 @@ class Environment {
   const Image& level_stack() const { return stack_; }
   static constexpr int level_tile = 160;  // columns and rows of a level with its border
 
+  /// Whether it was made by Prefilter::quick, to be shown until a full one is there.
+  bool is_quick() const { return quick_; }
+
   /// What refined pictures see of the environment, made when it is first asked for.
   const LightSamples& samples(bool bright_apart, unsigned threads) const;
 
@@ -100,6 +103,7 @@ class Environment {
   // Cumulated luminance over the rows, and in each row over its columns; the last sums are 1.
   std::vector<double> row_sums_, column_sums_;
   double contrast_ = 1;
+  bool quick_ = false;
   struct Refined;
   std::shared_ptr<std::array<Refined, 2>> refined_;  // whole, and with the bright part apart
 };

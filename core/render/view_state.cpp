@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/energy.h"
+#include "core/render/environment.h"
 #include "core/render/ground_bounce.h"
 
 namespace etak {
@@ -68,6 +69,10 @@ ViewSide wedge_side(ViewSide side, const std::string& parameter, double share) {
 }
 
 }  // namespace
+
+bool has_refined(const ViewState& state) {
+  return state.environment ? !state.environment->is_quick() : state.lights.hemispheres.has_value();
+}
 
 std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height) {
   std::vector<ViewTile> out;

@@ -50,6 +50,9 @@ struct ViewState {
   bool plain_display() const { return ocio_config.empty() && ocio_display.empty() && ocio_view.empty(); }
 };
 
+/// Whether the picture has light from all around that is worth refining: a quick environment is soon another.
+bool has_refined(const ViewState& state);
+
 /// A scene and the part of the whole picture that shows it.
 struct ViewTile {
   Scene scene;

@@ -39,7 +39,7 @@ class ViewportGl : public QObject {
              bool beside = false) {
     viewport->set_state(state);
     compare(state, on_screen(), what, display, beside);
-    if (!state.environment && !state.lights.hemispheres) return;
+    if (!has_refined(state)) return;
     QVERIFY(QTest::qWaitFor([this] { return !viewport->is_refining(); }, patience_ms));
     ViewState refined = state;
     refined.refined = true;
