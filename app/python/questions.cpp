@@ -208,9 +208,8 @@ void add_questions(py::module_& module) {
     return py::module_::import("json").attr("loads")(document)[member].cast<py::list>();
   };
   module.def("functions", [list_of] { return list_of(functions_json(), "functions"); });
-  module.def("sources", [list_of] {
-    return list_of(sources_json(source_rows(MaterialLibrary::builtin())), "rows");
-  });
+  module.def("sources",
+             [list_of] { return list_of(sources_json(source_rows(MaterialLibrary::builtin())), "rows"); });
   module.def("export", &export_call, py::arg("materials"), py::arg("to"), py::arg("given"),
              py::arg("library"), py::arg("threads"));
 }
