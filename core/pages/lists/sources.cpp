@@ -17,6 +17,7 @@
 #include "core/color/srgb.h"
 #include "core/light/functions.h"
 #include "core/material/find.h"
+#include "core/material/names.h"
 #include "core/material/quality.h"
 #include "core/pages/lists/sources_file.h"
 
