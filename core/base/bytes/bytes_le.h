@@ -30,7 +30,8 @@ inline void append_float(std::string& out, float value) {
 inline std::uint64_t number(std::string_view bytes, std::size_t at, int count) {
   assert(at + static_cast<std::size_t>(count) <= bytes.size());
   std::uint64_t value = 0;
-  if constexpr (std::endian::native == std::endian::little)  // one load, where GCC would build it byte by byte
+  // One load, where GCC would build the number byte by byte.
+  if constexpr (std::endian::native == std::endian::little)
     std::memcpy(&value, bytes.data() + at, static_cast<std::size_t>(count));
   else
     for (int i = count; i-- > 0;)
