@@ -173,6 +173,7 @@ void show_state(Window& window, const QString& state) {
          window.use_library_material(QStringLiteral("silicon"));
        }},
       {QStringLiteral("energy"), [&] { window.look().energy_overlay = true; }},
+      {QStringLiteral("angles"), [&] { window.look().angle_overlay = true; }},
       {QStringLiteral("gamut"),
        [&] {
          edit_material(window, [](ProjectMaterial& m) {

@@ -136,6 +136,10 @@ void Window::make_view_menu() {
     look_.energy_overlay = !look_.energy_overlay;
     look_changed();
   });
+  action(menu, tr("Angle z&ones overlay"), QKeySequence(Qt::CTRL | Qt::Key_3), [this] {
+    look_.angle_overlay = !look_.angle_overlay;
+    look_changed();
+  });
   menu->addSeparator();
   QMenu* panels = menu->addMenu(tr("P&anels"));
   panels->setAccessibleName(tr("Panels"));

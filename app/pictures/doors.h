@@ -32,8 +32,8 @@ PictureDoors picture_doors(const char* version);
 ///   place   the setting, file or verb that needs them, for the message of the error
 using OpenDoors = std::function<const PictureDoors&(const std::string& place)>;
 
-/// The reader and writer of pictures that are no plain PNG, and of files of floats. The module is opened with
-/// the first of them.
+/// The reader and writer of pictures that are no plain PNG, and of files of floats, and what draws text. The module
+/// is opened with the first of them.
 PictureDoor picture_door_behind(const OpenDoors& doors);
 
 }  // namespace etak

@@ -49,6 +49,9 @@ PictureDoor picture_door_behind(const OpenDoors& doors) {
   door.encode = [doors](const Image& image, std::string_view format, std::string_view fourth) {
     return doors(setting("textures")).picture_door().encode(image, format, fourth);
   };
+  door.text = [doors](std::string_view text, int size) {
+    return doors("pictures of plots").picture_door().text(text, size);
+  };
   return door;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// etak.nearest, etak.export, etak.eval and etak.delta_e: what the verbs of these names answer, and differences of colours.
+// etak.nearest, etak.export, etak.eval, etak.curve and etak.delta_e: what the verbs of these names answer, and differences of colours.
 #include <algorithm>
 
 #include "app/python/module.h"
 #include "core/base/error.h"
+#include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/color/delta_e.h"
@@ -12,11 +13,14 @@
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
+#include "core/image/files/png.h"
 #include "core/light/functions_csv.h"
 #include "core/material/catalogue.h"
 #include "core/material/quality.h"
+#include "core/pages/asked_curves.h"
 #include "core/pages/lists/lists.h"
 #include "core/pages/lists/sources.h"
+#include "core/plot/svg_picture.h"
 
 namespace etak::python {
 namespace {
@@ -107,6 +111,21 @@ Array evaluated(const std::string& id, const py::dict& words, const py::dict& nu
   return out;
 }
 
+// ---- what is asked of a surface
+
+std::optional<Gloss> gloss_of(const Keywords& how) {
+  const auto share = [&](const char* name) { return how.at(name).cast<std::optional<double>>(); };
+  return given_gloss(share("gloss"), share("roughness"));
+}
+
+std::optional<LinearRgb> diffuse_of(const Keywords& how) {
+  const py::object given = how.at("diffuse");
+  if (given.is_none()) return std::nullopt;
+  const auto color = color_of(given, true);
+  const Srgb8* const codes = std::get_if<Srgb8>(&color);
+  return codes != nullptr ? srgb_decode(*codes) : std::get<LinearRgb>(color);
+}
+
 // ---- export
 
 struct ExportCall {
@@ -167,14 +186,7 @@ py::tuple export_call(const std::vector<py::object>& materials, const std::strin
   // A target's id is short for the values of that target.
   call.to = to == "mtlx" || to == "gltf" || to == "glb" ? to : "values";
   call.targets = to == call.to ? how.texts("target") : std::vector{to};
-  const auto share = [&](const char* name) { return how.at(name).cast<std::optional<double>>(); };
-  call.wishes = {std::nullopt, given_gloss(share("gloss"), share("roughness")),
-                 how.at("opacity").cast<double>(), how.yes("axis_average")};
-  if (const py::object given_diffuse = how.at("diffuse"); !given_diffuse.is_none()) {
-    const auto color = color_of(given_diffuse, true);
-    const Srgb8* const codes = std::get_if<Srgb8>(&color);
-    call.wishes.diffuse = codes != nullptr ? srgb_decode(*codes) : std::get<LinearRgb>(color);
-  }
+  call.wishes = {diffuse_of(how), gloss_of(how), how.at("opacity").cast<double>(), how.yes("axis_average")};
   call.fit = setting_value("fit", how.text("fit"), call.fit, fit_named, "clamp or preserve-hue");
   call.form = setting_value("gltf-form", how.text("gltf_form"), call.form, gltf_material_form_named,
                             "specular-ior or specular-glossiness");
@@ -194,6 +206,61 @@ py::tuple export_call(const std::vector<py::object>& materials, const std::strin
   return py::make_tuple(document, out.remarks);
 }
 
+// ---- curves
+
+// What etak.curve() asks for: the curves in a form of AskedCurves or as "png", and what was assumed.
+py::tuple curve_call(const std::vector<py::object>& materials, const std::string& form, const py::dict& given,
+                     const Library& library) {
+  const Keywords how{given};
+  CurveRequest request;
+  request.of = how.text("of");
+  request.channel = how.text("channel");
+  request.models = how.texts("model");
+  request.terms = how.texts("term");
+  request.set = how.texts("set");
+  request.light_deg = how.at("light").cast<double>();
+  request.step_deg = how.at("step").cast<double>();
+  if (given.contains("scale")) request.scale = how.text("scale");
+  request.straight = how.yes("straight");
+  request.surface.gloss = gloss_of(how);
+  if (const auto diffuse = diffuse_of(how)) request.surface.diffuse = vec(*diffuse);
+  request.surface.compute = f0_settings(how);
+  const TableSettings tables = table_settings(how);
+  std::vector<std::string> words;
+  std::vector<AskedMaterial> asked;  // of each word; one without a text for a surface in numbers
+  for (const py::object& each : materials) {
+    const bool number =
+        py::isinstance<py::str>(each) && each.cast<std::string>().find('=') != std::string::npos;
+    words.push_back(number ? each.cast<std::string>() : "");
+    asked.push_back(number ? AskedMaterial() : asked_material(each, how.text("dataset")));
+  }
+  LongWork work;
+  std::vector<std::string> remarks;
+  const bool dark = how.yes("dark");
+  const std::string out = work.unlocked([&] {
+    auto groups = curve_groups(words);
+    check(request, groups.size());
+    request.options = options_of(request.surface.compute, library);
+    if (groups.empty()) groups.emplace_back();
+    std::vector<CurveSubject> subjects;
+    std::size_t at = 0;
+    for (const auto& group : groups) {
+      CurveSubject& subject = subjects.emplace_back(CurveSubject{group, nullptr, 0});
+      if (group == std::vector<std::string>{""}) {
+        const DatasetOf found = read_one(asked[at], library, tables);
+        subject.material = found.material;
+        subject.dataset = found.index;
+      }
+      at += group.size();
+    }
+    const AskedCurves curves = asked_curves(request, subjects, remarks);
+    if (form != "png") return curves.text(form, request.of, dark);
+    return png_bytes(svg_picture(curves.text("svg", request.of, dark), pictures("form").picture_door().text),
+                     {.srgb = true});
+  });
+  return py::make_tuple(py::bytes(out), remarks);
+}
+
 }  // namespace
 
 void add_questions(py::module_& module) {
@@ -210,6 +277,14 @@ void add_questions(py::module_& module) {
   module.def("functions", [list_of] { return list_of(functions_json(), "functions"); });
   module.def("sources",
              [list_of] { return list_of(sources_json(source_rows(MaterialLibrary::builtin())), "rows"); });
+  module.def(
+      "write_file",
+      [](const std::string& path, const py::bytes& bytes, bool force) {
+        write_file(path, std::string_view(bytes), force);
+      },
+      py::arg("path"), py::arg("bytes"), py::arg("force"));
+  module.def("curve", &curve_call, py::arg("materials"), py::arg("form"), py::arg("given"),
+             py::arg("library"));
   module.def("export", &export_call, py::arg("materials"), py::arg("to"), py::arg("given"),
              py::arg("library"), py::arg("threads"));
 }

@@ -23,6 +23,7 @@ class Overlay : public QWidget {
     QString left_name, right_name;
     std::vector<Mark> marks;
     QString readout, message;
+    bool angle_zones = false;  // the legend of their tints
     bool operator==(const Content&) const = default;
   };
   explicit Overlay(QWidget* parent);

@@ -341,6 +341,7 @@ void Viewport::Private::refresh_overlay() {
     }
   }
   content.readout = readout;
+  content.angle_zones = state.angle_overlay;
   if (!cpu_note_over || !refusal.isEmpty() || !display_failure.isEmpty()) content.message = message();
   overlay->show_content(std::move(content));
 }

@@ -2,8 +2,10 @@
 #include "core/image/image_io.h"
 
 #include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
+#include <array>
 #include <memory>
 
 #include "core/base/error.h"
@@ -249,7 +251,36 @@ PictureDoor picture_door() {
           [](const Image& image, std::string_view format, std::string_view fourth) {
             return format == "exr" ? exr_bytes(image, std::string(fourth))
                                    : tiff_bytes(image, std::string(fourth));
-          }};
+          },
+          text_picture};
+}
+
+TextPicture text_picture(std::string_view text, int size) {
+  // A whole path, because OpenImageIO looks for a mere name in the working folder first.
+  static const char* const font = [] {
+    constexpr std::array places{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+                                "/usr/share/fonts/dejavu/DejaVuSans.ttf",
+                                "/usr/share/fonts/TTF/DejaVuSans.ttf",
+                                "/usr/local/share/fonts/dejavu/DejaVuSans.ttf",
+                                "/Library/Fonts/DejaVuSans.ttf"};
+    const auto* const found = std::ranges::find_if(places, OIIO::Filesystem::is_regular);
+    return found == places.end() ? nullptr : *found;
+  }();
+  if (font == nullptr)
+    throw Error::at("text of a picture", "no font DejaVu Sans in the folders of fonts",
+                    "the package fonts-dejavu-core, or SVG");
+  const OIIO::string_view line(text.data(), text.size());
+  const OIIO::ROI box = OIIO::ImageBufAlgo::text_size(line, size, font);
+  if (!box.defined() || box.width() < 1 || box.height() < 1) return {};
+  TextPicture out{Image(box.width(), box.height(), 1), box.xbegin, box.ybegin};
+  OIIO::ImageBuf pixels(OIIO::ImageSpec(box.width(), box.height(), 1, OIIO::TypeFloat),
+                        out.coverage.values.data());
+  const float white = 1;
+  if (!OIIO::ImageBufAlgo::render_text(pixels, -box.xbegin, -box.ybegin, line, size, font,
+                                       OIIO::cspan<float>(&white, 1)))
+    throw Error::at(font, "cannot be used: " + pixels.geterror(), "the font DejaVu Sans");
+  return out;
 }
 
 void write_png(const std::string& path, const Image8& image, bool overwrite) {

@@ -40,7 +40,11 @@ Picture read_picture(const std::string& path);
 ///   label   for messages: the path, or the name of the thing that contains the bytes
 Picture read_picture(std::string_view bytes, const std::string& label);
 
-/// The functions above and below as a PictureDoor, for load_picture() and for writing floats.
+/// A line of text in DejaVu Sans, of which the file is looked for where systems keep it. Throws Error where there is none.
+///   size   of the font in pixels
+TextPicture text_picture(std::string_view text, int size);
+
+/// The functions above and below as a PictureDoor, for load_picture(), for writing floats and for text.
 PictureDoor picture_door();
 
 /// Writes a PNG file. The whole file is made in memory and then put in place at once (write_file of

@@ -58,19 +58,28 @@ struct PictureFile {
   std::string label;  // for messages: the path, or the name of the thing that contains the bytes
 };
 
-/// The functions by which pictures that PngReader does not read are decoded, and by which files of floats are
-/// made. The program chooses them: picture_door() of image_io.h, which uses OpenImageIO, or functions that
+/// A line of text as the part of each pixel that it covers, in one channel; empty for blanks.
+///   left, top   place of its first column and row from the point where the text begins on its base line
+struct TextPicture {
+  Image coverage;
+  int left = 0, top = 0;
+};
+
+/// The functions by which pictures that PngReader does not read are decoded, by which files of floats are made,
+/// and by which text is drawn. The program chooses them: picture_door() of image_io.h, which uses OpenImageIO, or functions that
 /// load that library (120 MB, a quarter of a second) when it is first needed. All throw Error that names the
 /// file. Where the functions are empty, such pictures are refused.
 ///   header, file   read the header, or the whole picture, of the file at `path`
 ///   bytes          reads a file in memory; `label` names it in messages
 ///   encode         makes a file of 32-bit floats of format "tiff" or "exr"; `fourth` names the fourth
 ///                  channel
+///   text           draws a line of text in DejaVu Sans; `size` of the font in pixels
 struct PictureDoor {
   std::function<PictureHeader(const std::string& path)> header;
   std::function<Picture(const std::string& path)> file;
   std::function<Picture(std::string_view bytes, const std::string& label)> bytes;
   std::function<std::string(const Image& image, std::string_view format, std::string_view fourth)> encode;
+  std::function<TextPicture(std::string_view text, int size)> text;
 };
 
 /// The rows of a picture from the top, as RGBA: grey is copied to three channels, and a missing fourth

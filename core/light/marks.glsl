@@ -24,6 +24,15 @@ bool on_stripe(real x, real y) {
   return at - real(int(at)) < real(0.499);
 }
 
+// The colour under a tint of Hoffman's zones: none where the normal is up to 45 degrees from the viewer and F barely
+// changes, blue up to 75 degrees, where it changes, and orange from there, where it rushes to white.
+vec3 with_angle_zones(vec3 seen, real nv, real exposure) {
+  real lit = real(0.3) / max(exposure, real(1e-6));
+  if (nv > real(0.70710678)) return seen;
+  return real(0.6) * seen +
+         (nv > real(0.25881905) ? vec3(0, real(0.3) * lit, lit) : vec3(lit, real(0.4) * lit, 0));
+}
+
 // The colour with its stripes: 0.6 of magenta (zone), or the other way round of yellow (energy), lit so that they
 // show under the exposure.
 vec3 with_stripes(vec3 seen, bool zone, bool energy, real x, real y, real exposure) {

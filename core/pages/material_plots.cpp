@@ -60,6 +60,10 @@ PlotAxis angle_axis(std::string label, double first_deg) {
   return out;
 }
 
+std::vector<PlotZone> fresnel_zones() {
+  return {{0, 45, "barely changes"}, {45, 75, "changes"}, {75, 90, "to white"}};
+}
+
 // Two significant digits, because the clock is no more precise; empty where nothing was timed.
 std::string time_text(double ns) {
   if (!(ns > 0)) return "";
@@ -158,6 +162,7 @@ LinePlot angle_plot(const std::string& name, const AngleCurves& curves, PlotChan
     add(form.rgb, classes[i % classes.size()], std::string(form.title), key + time_text(form.ns));
   }
   plot.left = nice_axis("F, " + channel_name(channel), extent.least, std::max(extent.most, 1.0));
+  plot.zones = fresnel_zones();
   plot.description = curves.exact.empty() ? "no exact curve: the data are reflectance at normal incidence"
                                           : "errors are the largest over angles, red, green and blue";
   return plot;
@@ -209,8 +214,7 @@ LinePlot curves_plot(CurveKind kind, const std::vector<ColorCurve>& curves,
   const bool to_one = kind == CurveKind::fresnel || kind == CurveKind::masking;
   plot.left = nice_axis(std::move(label), std::min(0.0, extent.least),
                         to_one ? std::max(extent.most, 1.0) : extent.most);
-  if (kind == CurveKind::fresnel)
-    plot.zones = {{0, 45, "barely changes"}, {45, 75, "changes"}, {75, 90, "to white"}};
+  if (kind == CurveKind::fresnel) plot.zones = fresnel_zones();
   if (row.first_deg < 0) plot.x.label += ", light at " + number(-light_deg, 6);
   return plot;
 }

@@ -168,6 +168,8 @@ struct Backdrop {
 ///                 with the other slant, yellow (energy), bright enough to show under the exposure. With
 ///                 textures both are decided for each pixel, and energy stripes show where diffuse colour
 ///                 plus F0 is above 1
+///   tints         over the object: blue where the angle between normal and viewer is 45 to 75 degrees, orange
+///                 from there on
 ///   output        transfer(max(tone(exposure * mix(background, object, coverage)), 0)); the fourth channel is
 ///                 the coverage
 struct Scene {
@@ -180,6 +182,7 @@ struct Scene {
   // These replace what they hold of the surface's diffuse, opacity, f0 and gloss; null: none.
   std::shared_ptr<const SurfaceTextures> textures;
   bool mark_zone = false;          // stripes where the luminance of F0 is in the forbidden zone
+  bool mark_angles = false;        // tints of Hoffman's zones of the angle between normal and viewer
   std::vector<float> mark_energy;  // by quick_albedo(): stripes where it is above 1; empty: no stripes
   LightSetup lights;
   double environment_turn_deg = 0;  // around y

@@ -294,7 +294,7 @@ void store(const Shading& shading, const Piece& piece, const Chunk& c, float* ro
   vec3 behind = narrowed(scene.background);
   const bool plain = shading.backdrop.is_plain();
   const bool clear = (textured || opacity < 1) && !shading.clear_ball;
-  const bool marked = scene.mark_zone || !scene.mark_energy.empty();
+  const bool marked = scene.mark_zone || scene.mark_angles || !scene.mark_energy.empty();
   std::size_t whole_first = c.count, whole_last = c.count;
   if (!clear && !marked) {
     whole_first = std::min(piece.whole_first, c.count);
@@ -313,6 +313,7 @@ void store(const Shading& shading, const Piece& piece, const Chunk& c, float* ro
       const Marks marks = marks_at(shading, c, i);
       const real column = real(piece.first + static_cast<int>(i)), down = real(piece.row);
       seen = with_stripes(seen, marks.zone, marks.energy, column, down, real(scene.exposure));
+      if (scene.mark_angles) seen = with_angle_zones(seen, real(c.local_viewer[2][i]), real(scene.exposure));
     }
     const real cover = real(camera.coverage(x, y));
     const vec3 shown = mix(behind, seen, cover);

@@ -57,7 +57,7 @@ const ViewTile& tile_at(const std::vector<ViewTile>& tiles, int column, int row)
 // sides.
 Image side_patch(ViewState state, const ViewSide& side, int width, int height, int column, int row) {
   state.a = side;
-  state.split = state.zone_overlay = state.energy_overlay = false;
+  state.split = state.zone_overlay = state.energy_overlay = state.angle_overlay = false;
   const std::vector<ViewTile> tiles = view_tiles(state, width, height);
   const ViewTile& tile = tile_at(tiles, column, row);
   constexpr int reach = 2;

@@ -29,6 +29,7 @@ Scene frame_of(const ViewState& state, int width, int height) {
   out.backdrop = state.backdrop;
   out.tone = state.plain_display() ? state.tone : Tone::plain;
   out.mark_zone = state.zone_overlay;
+  out.mark_angles = state.angle_overlay;
   out.view = state.camera;
   out.view->zoom *= std::min(1.0, double(width) / height);
   return out;

@@ -42,7 +42,7 @@ struct ViewState {
   double exposure = 1;                               // linear factor
   std::string ocio_config, ocio_display, ocio_view;  // of OpenColorIO; all three empty: `tone`, then sRGB
   Tone tone = Tone::plain;
-  bool zone_overlay = false, energy_overlay = false;
+  bool zone_overlay = false, energy_overlay = false, angle_overlay = false;
   Vec3 background{0.18, 0.18, 0.18};  // linear
   Backdrop backdrop;
   friend bool operator==(const ViewState&, const ViewState&) = default;

@@ -72,6 +72,51 @@ class Questions(unittest.TestCase):
             with self.assertRaises(etak.Error):
                 etak.eval(name, **inputs)
 
+    def test_curves_and_plots_are_those_of_the_command_line(self):
+        warnings.simplefilter("ignore")
+        for words, call in {
+                ("gold", "copper", "--channel", "rgb", "--step", "5"): ((["gold", "copper"],), dict(channel="rgb", step=5)),
+                ("f0=0.02", "gloss=0.5", "f0=0.04", "--term", "schlick"):
+                    ((["f0=0.02", "gloss=0.5", "f0=0.04"],), dict(term="schlick")),
+                ("--of", "D", "--term", "phong", "--set", "e=8", "--set", "e=92"):
+                    ((), dict(of="D", term=["phong"], set=["e=8", "e=92"])),
+                ("water", "--of", "lobe", "--model", "ggx-schlick", "--roughness", "0.3", "--light", "60"):
+                    (("water",), dict(of="lobe", model="ggx-schlick", roughness=0.3, light=60)),
+                ("gold/johnson", "--of", "R"): ((etak.library["gold"]["johnson-1972"],), dict(of="R"))}.items():
+            with self.subTest(words):
+                theirs, mine = json.loads(said("curve", *words, "--format", "json")), etak.curve(*call[0], **call[1])
+                self.assertEqual({k: v for k, v in theirs.items() if k not in ("schema", "curves")},
+                                 {k: v for k, v in mine.items() if k != "curves"})
+                self.assertEqual([each["title"] for each in theirs["curves"]], [each["title"] for each in mine["curves"]])
+                for a, b in zip(theirs["curves"], mine["curves"]):
+                    np.testing.assert_array_equal(a["x"], b["x"])
+                    np.testing.assert_array_equal(np.array(a["y"], float), b["y"])
+        with tempfile.TemporaryDirectory() as folder:
+            for form in ("svg", "png"):
+                file = Path(folder) / f"a.{form}"
+                etak.plot(["gold", "silver"], file, dark=True)
+                theirs = subprocess.run([PROGRAM, "curve", "gold", "silver", "--dark", "--format", form],
+                                        capture_output=True, check=True).stdout
+                self.assertEqual(file.read_bytes(), theirs)
+                with self.assertRaisesRegex(etak.Error, "exists"):
+                    etak.plot("gold", file)
+            etak.plot("gold", file, of="lobe", scale="log", force=True)
+            self.assertNotEqual(file.read_bytes(), theirs)
+            with self.assertRaisesRegex(etak.Error, "ending .svg or .png"):
+                etak.plot("gold", Path(folder) / "a.jpg")
+        for words, call in {("gold", "--of", "D"): lambda: etak.curve("gold", of="D"),
+                            ("gold", "--term", "ggx"): lambda: etak.curve("gold", term="ggx"),
+                            ("f0=0.04", "--of", "R"): lambda: etak.curve("f0=0.04", of="R"),
+                            ("gold", "--of", "R", "--set", "m=8"): lambda: etak.curve("gold", of="R", set="m=8"),
+                            ("nosuchthing",): lambda: etak.curve("nosuchthing"),
+                            (): lambda: etak.curve()}.items():
+            with self.subTest(words), self.assertRaises(etak.Error) as failed:
+                call()
+            self.assertEqual(str(failed.exception), told("curve", *words))
+        for more in ({"light": 90}, {"step": 0}, {"channel": "cyan"}, {"of": "X"}):
+            with self.subTest(more), self.assertRaises(etak.Error):
+                etak.curve("gold", **more)
+
     def test_exports_are_those_of_the_command_line(self):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")

@@ -24,75 +24,7 @@
 namespace etak::cli {
 namespace {
 
-constexpr double most_typed_f0 = 2;
-
 using Overrides = std::vector<std::pair<std::string, double>>;
-
-// A surface given in numbers: f0, f82, n, k, diffuse, gloss, roughness, opacity.
-SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues surface) {
-  bool has_f0 = false, has_f82 = false, has_index = false;
-  RoughnessArguments rough;
-  for (const std::string& each : subject) {
-    const std::size_t equals = each.find('=');
-    if (equals == each.npos)
-      throw Error::at(printable(each), "is no NAME=NUMBER like the others", "one material, or numbers only");
-    const std::string name = each.substr(0, equals);
-    const Vec3 value = vec(typed_color(name, std::string_view(each).substr(equals + 1)));
-    // F0 of the library is above 1 where a colour lies outside of sRGB, and may be given so.
-    const auto at_most = [&](double most) {
-      for (const double v : value)
-        if (!(v >= 0 && v <= most)) throw Error::at(name, number(v, 6), "0 to " + number(most, 3));
-    };
-    if (name == "f0") {
-      at_most(most_typed_f0);
-      surface.f0 = value;
-      has_f0 = true;
-    } else if (name == "f82") {
-      at_most(most_typed_f0);
-      surface.f82 = value;
-      has_f82 = true;
-    } else if (name == "n" || name == "k") {
-      (name == "n" ? surface.n : surface.k) = value;
-      has_index = true;
-    } else if (name == "diffuse") {
-      at_most(1);
-      surface.diffuse = value;
-    } else if (name == "gloss" || name == "roughness") {
-      if (!(value[0] >= 0 && value[0] <= 1)) throw Error::at(name, number(value[0], 6), "0 to 1");
-      (name == "gloss" ? rough.gloss : rough.roughness) = value[0];
-    } else if (name == "opacity") {
-      surface.opacity = value[0];
-    } else {
-      throw Error::at(printable(name), "is nothing of a surface",
-                      "f0, f82, n, k, diffuse, gloss, roughness or opacity");
-    }
-  }
-  if (rough.gloss && rough.roughness) throw Error::at("roughness", "given beside gloss", "one of the two");
-  if (const std::optional<Gloss> given = given_gloss(rough)) surface.gloss = *given;
-  if (has_index && (has_f0 || has_f82)) throw Error::at("n, k", "given beside f0 or f82", "one of the two");
-  if (has_index) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (!(surface.n[c] > 0 && surface.n[c] <= 1e4))
-        throw Error::at("n", number(surface.n[c], 6), "above 0, at most 1e4");
-      if (!(surface.k[c] >= 0 && surface.k[c] <= 1e6))
-        throw Error::at("k", number(surface.k[c], 6), "0 to 1e6");
-      surface.f0[c] = f64::f0(surface.n[c], surface.k[c]);
-      surface.f82[c] = f64::fresnel_exact(surface.n[c], surface.k[c], f82_cosine);
-    }
-    return surface;
-  }
-  if (!has_f82) {
-    complete_from_f0(surface);
-    return surface;
-  }
-  Vec3 hint{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double root = std::sqrt(std::min(surface.f0[c], 0.9999));
-    hint[c] = surface.f0[c] < forbidden_zone_first ? std::log((1 + root) / (1 - root)) : -1;
-  }
-  solve_index(surface, hint);
-  return surface;
-}
 
 }  // namespace
 
@@ -117,56 +49,26 @@ SubjectMaterial subject_material(SceneArguments& arguments, SceneNotes& notes) {
   return out;
 }
 
+SurfaceWishes surface_wishes(const SceneArguments& arguments) {
+  SurfaceWishes out;
+  if (!arguments.diffuse.empty()) out.diffuse = vec(typed_share("--diffuse", arguments.diffuse));
+  out.gloss = given_gloss(arguments.rough);
+  out.opacity = arguments.opacity;
+  out.compute = arguments.compute;
+  return out;
+}
+
 SurfaceValues subject_surface(SceneArguments& arguments, SceneNotes& notes) {
   if (arguments.subject.empty())
     throw Error::at("etak", "no material", "a material, or numbers such as f0=0.04");
-  SurfaceValues blank;
-  const std::optional<Gloss> given = given_gloss(arguments.rough);
-  if (given) blank.gloss = *given;
-  blank.opacity = arguments.opacity.value_or(1);
-  if (!arguments.diffuse.empty()) blank.diffuse = vec(typed_share("--diffuse", arguments.diffuse));
+  const SurfaceWishes wishes = surface_wishes(arguments);
   if (is_typed(arguments)) {
-    if (arguments.compute != F0Settings{})
-      throw Error::at(arguments.subject.front(), "beside an option that says how F0 is computed",
-                      "a material");
     notes.subject = joined(arguments.subject, " ");
-    return made_up(arguments.subject, blank);
+    return typed_surface(arguments.subject, wishes);
   }
   const SubjectMaterial found = subject_material(arguments, notes);
-  const Material& material = found.material;
-  SurfaceValues out = surface_of(material, found.dataset(), blank.diffuse, given, arguments, notes);
-  if (const std::string_view kind = optical_kind(material.material_class);
-      kind != "dielectric" && !arguments.diffuse.empty())
-    notes.remarks.push_back(material.id + " is a " + std::string(kind) + ": --diffuse is not used");
-  return out;
-}
-
-std::vector<std::pair<std::string, double>> read_set(const std::vector<std::string>& texts) {
-  Overrides out;
-  for (const std::string& each : texts) {
-    const std::size_t equals = each.find('=');
-    double value = 0;
-    if (equals == each.npos || equals == 0 || !parse_number(std::string_view(each).substr(equals + 1), value))
-      throw Error::at("--set", printable(each), "NAME=NUMBER, or NAME.r=NUMBER for a channel");
-    out.emplace_back(each.substr(0, equals), value);
-  }
-  return out;
-}
-
-const Model* model_named(const char* option, const std::string& id, std::string_view standard) {
-  if (id == "none") return nullptr;
-  if (const Model* model = find_model(id.empty() ? standard : std::string_view(id))) return model;
-  for (const Term& each : terms())
-    if (each.id == id)
-      throw Error::at(option, printable(id) + ", which is one term of a model",
-                      "microfacet:D,F,V with three terms of etak models, or a model");
-  std::vector<std::string> ids;
-  for (const Model& each : models()) ids.emplace_back(each.id);
-  throw Error::at(option, printable(id), "a model that etak models lists, or none" + did_you_mean(id, ids));
-}
-
-std::string clamped_remark(const ClampedValue& value) {
-  return value.name + " is " + number(value.wanted, 6) + ", taken as " + number(value.used, 6);
+  return surface_of(found.material, found.dataset(), wishes, f0_options(arguments.compute, arguments.library),
+                    notes.remarks);
 }
 
 namespace {
@@ -196,42 +98,6 @@ std::pair<int, int> size_of(const std::string& text) {
 }
 
 }  // namespace
-
-SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
-                         const std::optional<Gloss>& given, SceneArguments& arguments, SceneNotes& notes) {
-  if (std::string remark = class_remark(material); !remark.empty())
-    notes.remarks.push_back(material.id + ": " + remark);
-  const bool dielectric = optical_kind(material.material_class) == "dielectric";
-  const Clarity body = clarity(material, dataset);
-  const bool black = diffuse == Vec3{0, 0, 0}, clear = body.clear && black;
-  Gloss gloss = given.value_or(1.0);
-  if (!given) {
-    const DefaultGloss standard = default_gloss(material, clear);
-    // Where the default is a perfect mirror, the picture takes the highest gloss instead: in a mirror the
-    // lights are points that no pixel hits.
-    gloss = Gloss(double{standard.gloss});
-    notes.remarks.push_back(
-        default_gloss_remark(standard) +
-        (standard.gloss.held() ? "; drawn with " + roughness_text(gloss) + ", in which the lights can be seen"
-                               : ""));
-  }
-  F0Settings settings = arguments.compute;
-  const F0Result result = solve_averaged(
-      settings.axis_average, F0Solver(f0_options(settings, arguments.library)), material, dataset);
-  SurfaceValues out = etak::surface_of(material, dataset, result, diffuse, gloss);
-  // The reference would draw n and k as they are: of one axis, in air, under D65.
-  settings.axis_average = settings.axis_average && !dataset.axis.empty();
-  if (settings != F0Settings{}) out.optics.reset();
-  out.opacity = arguments.opacity.value_or(clear ? 0 : 1);
-  if (clear && !arguments.opacity)
-    notes.remarks.push_back("the body of " + material.id + " is clear (" + body.reason +
-                            "): what is behind it is seen through it; --opacity 1 draws its surface alone");
-  if (dielectric && !body.clear && black)
-    notes.remarks.push_back(material.id + ": " + black_body_remark(body));
-  if (!gives_f0(material.material_class))
-    notes.remarks.push_back(total_reflectance_remark({to_rgb(out.diffuse), to_rgb(out.f0)}));
-  return out;
-}
 
 void choose_models(Scene& scene, const std::string& specular, const std::string& diffuse,
                    const Overrides& set, std::vector<std::string>& remarks) {
@@ -316,7 +182,7 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   scene.surface = subject_surface(arguments, notes);
   if (!arguments.emission.empty()) scene.surface.emission = vec(typed_emission(arguments.emission));
   scene.surface.occlusion = arguments.occlusion;
-  choose_models(scene, arguments.model, arguments.diffuse_model, read_set(arguments.set), notes.remarks);
+  choose_models(scene, arguments.model, arguments.diffuse_model, typed_set(arguments.set), notes.remarks);
   if (const std::optional<int> count = light_count(arguments.lights)) {
     scene.lights.lights = spread_lights(*count);
     scene.lights.hemispheres.reset();

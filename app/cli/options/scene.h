@@ -8,7 +8,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/options/options.h"
 #include "app/cli/options/roughness.h"
-#include "core/render/scene.h"
+#include "core/render/typed.h"
 
 namespace etak::cli {
 
@@ -69,22 +69,8 @@ SubjectMaterial subject_material(SceneArguments& arguments, SceneNotes& notes);
 /// The surface that the subject names or gives in numbers. Throws Error.
 SurfaceValues subject_surface(SceneArguments& arguments, SceneNotes& notes);
 
-/// The names and values of --set. Throws Error.
-std::vector<std::pair<std::string, double>> read_set(const std::vector<std::string>& texts);
-
-/// The model of this id; null: "none". Throws Error that names the option.
-///   standard   the id that an empty one stands for
-const Model* model_named(const char* option, const std::string& id, std::string_view standard);
-
-/// The remark about a value that a model did not take as it is.
-std::string clamped_remark(const ClampedValue& value);
-
-/// The surface of a material under the options.
-///   diffuse   of dielectrics
-///   given     its gloss; none: the default of its class, with a remark
-///   notes     gets what is assumed about the body
-SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
-                         const std::optional<Gloss>& given, SceneArguments& arguments, SceneNotes& notes);
+/// What the options ask of a material's surface.
+SurfaceWishes surface_wishes(const SceneArguments& arguments);
 
 /// Chooses the models of a scene and their values. `set` may change the colours and the gloss of the surface
 /// too; the light of hemispheres and environment then uses the changed values. Throws Error.

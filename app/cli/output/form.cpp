@@ -23,6 +23,7 @@ constexpr std::array endings{
     Ending{".txt", "text"},
     Ending{".csv", "csv"},
     Ending{".svg", "svg"},
+    Ending{".png", "png"},
     Ending{".csv", "text", "etak eval"},  // the answers of --csv
     Ending{".sarif.json", "sarif"},
     Ending{".sarif", "sarif"},

@@ -37,7 +37,11 @@ SurfaceValues surface(const Column& column, SceneArguments& typed, const Gloss& 
     throw Error::at("--sheet", std::string("the library has no ") + column.material, "etak's own library");
   if (column.diffuse != Vec3{})
     notes.remarks.push_back(material->id + ": the colour of the body is made up, for " + column.label);
-  return surface_of(*material, material->preferred_dataset(), column.diffuse, gloss, typed, notes);
+  SurfaceWishes wishes = surface_wishes(typed);
+  wishes.diffuse = column.diffuse;
+  wishes.gloss = gloss;
+  return surface_of(*material, material->preferred_dataset(), wishes,
+                    f0_options(typed.compute, typed.library), notes.remarks);
 }
 
 // The part of the sheet that a model is in.

@@ -9,11 +9,14 @@
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QtMath>
+#include <cmath>
 
 #include "app/editor/curves/line_plot_widget.h"
 #include "app/editor/curves/polar_plot_widget.h"
 #include "app/viewport/background.h"
 #include "core/base/error.h"
+#include "core/base/number.h"
 
 namespace etak::editor {
 namespace {
@@ -22,6 +25,8 @@ bool same_view(const F0Options& a, const F0Options& b) {
   return a.viewing == b.viewing && a.interpolation == b.interpolation && a.outside.label == b.outside.label &&
          a.outside.index == b.outside.index;
 }
+
+constexpr PlotChannel luminance[] = {PlotChannel::luminance};
 
 QLabel* label_for(QWidget* control, const QString& text) {
   auto* label = new QLabel(text);
@@ -90,16 +95,20 @@ QWidget* CurvesPanel::with_controls(PlotWidget* plot, const std::vector<QWidget*
   row->setSpacing(4);
   row->addStretch();
   for (QWidget* control : controls) row->addWidget(control);
-  const auto button = [&](const QString& text, const QString& name, auto act) {
+  const auto button = [&](const QString& text, const QString& name, auto* owner, auto act) {
     auto* out = new QToolButton;
     out->setText(text);
     out->setToolTip(name);
     out->setAccessibleName(name);
-    connect(out, &QToolButton::clicked, plot, act);
+    connect(out, &QToolButton::clicked, owner, act);
     row->addWidget(out);
   };
-  button(tr("CSV"), tr("Copy the curves as CSV"), &PlotWidget::copy_csv);
-  button(tr("SVG"), tr("Copy the plot as SVG"), &PlotWidget::copy_svg);
+  if (plot != index_) {
+    button(tr("Keep"), tr("Keep these curves beside the next"), this, &CurvesPanel::keep);
+    button(tr("Clear"), tr("Forget the kept curves"), this, &CurvesPanel::forget_kept);
+  }
+  button(tr("CSV"), tr("Copy the curves as CSV"), plot, &PlotWidget::copy_csv);
+  button(tr("SVG"), tr("Copy the plot as SVG"), plot, &PlotWidget::copy_svg);
   beside_tabs_->addWidget(own);
   return page;
 }
@@ -203,6 +212,48 @@ void CurvesPanel::take(const Request& request, Result result) {
     emit drawn();
 }
 
+// ---- kept curves
+
+bool CurvesPanel::Request::operator==(const Request& other) const {
+  return name == other.name && what == other.what && optics == other.optics &&
+         same_view(options, other.options) && model == other.model && values == other.values;
+}
+
+void CurvesPanel::keep() {
+  if (!has_shown_) return;
+  std::erase_if(kept_, [&](const Kept& each) { return each.request == shown_; });
+  kept_.push_back({shown_, result_});
+  if (kept_.size() > most_kept) kept_.erase(kept_.begin());
+  show_optics();
+  show_angles();
+  show_lobe();
+}
+
+void CurvesPanel::forget_kept() {
+  kept_.clear();
+  show_optics();
+  show_angles();
+  show_lobe();
+}
+
+template <class CurveOf>
+std::vector<ColorCurve> CurvesPanel::several(const CurveOf& curve_of) const {
+  std::vector<ColorCurve> out;
+  const auto add = [&](const Request& request, const Result& result) {
+    ColorCurve curve = curve_of(request, result);
+    if (curve.x.empty()) return;
+    curve.title.insert(0, request.what.empty() ? request.name : request.what);
+    out.push_back(std::move(curve));
+  };
+  bool in_hand = true;  // not kept yet
+  for (const Kept& each : kept_) {
+    add(each.request, each.result);
+    in_hand = in_hand && !(each.request == shown_);
+  }
+  if (in_hand) add(shown_, result_);
+  return out;
+}
+
 // ---- results to plots
 
 void CurvesPanel::show_optics() {
@@ -215,17 +266,36 @@ void CurvesPanel::show_optics() {
   };
   index_->set_plot(result_.optics ? index_plot(shown_.name, *result_.optics) : nothing(": n and k"),
                    QStringLiteral(" nm"));
-  reflectance_->set_plot(result_.optics
+  const std::vector<ColorCurve> all = several([](const Request&, const Result& result) {
+    ColorCurve out;
+    if (!result.optics) return out;
+    out.x = result.optics->r_nm;
+    for (const double value : result.optics->r0) out.rgb.push_back({value, value, value});
+    return out;
+  });
+  const bool compared = !kept_.empty() && !all.empty();
+  reflectance_->set_plot(compared ? curves_plot(CurveKind::reflectance, all, luminance, 0)
+                         : result_.optics
                              ? reflectance_plot(shown_.name, *result_.optics, shown_.options.viewing.observer)
                              : nothing(": reflectance"),
                          QStringLiteral(" nm"));
 }
 
 void CurvesPanel::show_angles() {
+  const PlotChannel channel[] = {static_cast<PlotChannel>(channel_->currentIndex())};
+  const std::vector<ColorCurve> all = several([](const Request&, const Result& result) {
+    ColorCurve out;
+    if (!result.angles || result.angles->forms.empty()) return out;
+    const bool exact = !result.angles->exact.empty();
+    out.x = result.angles->angle_deg;
+    out.rgb = exact ? result.angles->exact : result.angles->forms[0].rgb;
+    if (!exact) out.title = ", " + std::string(result.angles->forms[0].title);
+    return out;
+  });
+  if (!kept_.empty() && !all.empty())
+    return angles_->set_plot(curves_plot(CurveKind::fresnel, all, channel, 0), QStringLiteral("°"));
   if (result_.angles && !result_.angles->forms.empty()) {
-    angles_->set_plot(
-        angle_plot(shown_.name, *result_.angles, static_cast<PlotChannel>(channel_->currentIndex())),
-        QStringLiteral("°"));
+    angles_->set_plot(angle_plot(shown_.name, *result_.angles, channel[0]), QStringLiteral("°"));
     return;
   }
   LinePlot plot;
@@ -236,9 +306,25 @@ void CurvesPanel::show_angles() {
 
 void CurvesPanel::show_lobe() {
   const auto scale = scale_->currentIndex() == 0 ? RadialScale::linear : RadialScale::logarithmic;
+  const auto model_text = [](const Request& request) {
+    return ", " + std::string(request.model->title) + ", gloss " + number(request.gloss, 3);
+  };
+  // Kept lobes are drawn under the light that is set now.
+  const double light_deg = light_->value();
+  const std::vector<ColorCurve> all = several([&](const Request& request, const Result& result) {
+    ColorCurve out;
+    if (!result.lobe) return out;
+    LobeCurve lobe = lobe_curve(*request.model, request.values, light_deg);
+    out = {model_text(request), std::move(lobe.angle_deg), std::move(lobe.rgb)};
+    for (Vec3& rgb : out.rgb)
+      for (double& each : rgb) each *= std::cos(qDegreesToRadians(light_deg));
+    return out;
+  });
+  if (!kept_.empty() && !all.empty())
+    return lobe_->set_plot(
+        polar_plot(curves_plot(CurveKind::lobe, all, luminance, light_deg), light_deg, scale));
   if (result_.lobe) {
-    const std::string name = shown_.name + ", " + std::string(shown_.model->title) + ", gloss " +
-                             QString::number(shown_.gloss, 'g', 3).toStdString();
+    const std::string name = shown_.name + model_text(shown_);
     lobe_->set_plot(lobe_plot(name, *result_.lobe, scale));
     return;
   }

@@ -44,6 +44,12 @@ class CurvesPanel : public QWidget {
   /// Shows a surface without measured data: the tabs say that there are none; the lobe of the model is shown.
   void set_surface(const QString& name, double gloss, const Model* model, const std::vector<double>& values);
 
+  /// Keeps the curves that are shown beside those of what is shown next, in the tabs of R, F and the lobe; then these
+  /// are drawn as by `etak curve`. Of more than most_kept, the first are forgotten.
+  void keep();
+  void forget_kept();
+  static constexpr std::size_t most_kept = 11;
+
   /// The plot of the tab in front, for menus that copy it.
   PlotWidget* current_plot() const;
   bool busy() const { return running_; }
@@ -66,6 +72,9 @@ class CurvesPanel : public QWidget {
     const Model* model = nullptr;
     std::vector<double> values;
     double theta_l_deg = 45, gloss = 0;
+
+    // Whether the curves are the same, but for the light of the lobe.
+    bool operator==(const Request& other) const;
   };
   struct Result {
     std::optional<OpticsCurves> optics;
@@ -74,6 +83,14 @@ class CurvesPanel : public QWidget {
     std::string refusal;  // why there are no curves; empty where there are
   };
   static Result compute(const Request& request);
+
+  struct Kept {
+    Request request;
+    Result result;
+  };
+  // The kept curves and those in hand, as one of them has them; those that it has not are left out.
+  template <class CurveOf>
+  std::vector<ColorCurve> several(const CurveOf& curve_of) const;
 
   void ask();
   void start();
@@ -92,6 +109,7 @@ class CurvesPanel : public QWidget {
 
   Request wanted_, shown_;
   Result result_;
+  std::vector<Kept> kept_;
   std::vector<std::pair<std::string, double>> form_ns_;  // measured once, because materials do not change it
   double exact_ns_ = 0;
   bool waiting_ = false, running_ = false, has_shown_ = false;

@@ -67,6 +67,14 @@ void LinePlotWidget::draw_axes(QPainter& painter, const QRectF& area) {
     painter.drawLine(QPointF(x, frame_.top()), QPointF(x, frame_.bottom()));
   }
   painter.setPen(ink_soft());
+  int shade = 0;
+  for (const PlotZone& zone : plot_.zones) {
+    const QRectF part(point(zone.first, plot_.left.most, plot_.left),
+                      point(zone.last, plot_.left.least, plot_.left));
+    painter.fillRect(part, QColor(128, 128, 128, shade));
+    centred(part.center().x(), area.top() + metrics.ascent() + 2, qt_text(zone.text));
+    shade += 30;
+  }
   // Numbers that would overlap the one before are left out.
   const double room = metrics.height() * 0.9;
   double free_below = frame_.bottom() + 2 * room;

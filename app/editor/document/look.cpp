@@ -61,6 +61,7 @@ ViewState view_state_of(const Document& document, const Look& look,
   out.backdrop = view.backdrop;
   out.zone_overlay = look.zone_overlay;
   out.energy_overlay = look.energy_overlay;
+  out.angle_overlay = look.angle_overlay;
   return out;
 }
 

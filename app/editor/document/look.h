@@ -12,7 +12,7 @@ namespace etak::editor {
 /// Settings of the picture that belong to the window and not to the project: camera, separator, overlays.
 struct Look {
   double separator = 0.5;
-  bool zone_overlay = false, energy_overlay = false, textured = true;
+  bool zone_overlay = false, energy_overlay = false, angle_overlay = false, textured = true;
   View camera;
   std::optional<ProjectMaterial> preview;  // a material of the library, shown in place of the current one
 };

@@ -241,12 +241,15 @@ Section* ViewPanel::make_shape() {
       check(tr("forbidden zone overlay"),
             tr("Marks F0 of a luminance between 0.20 and 0.45, where few real materials are (Ctrl+1)"), out);
   energy_ = check(tr("energy overlay"), tr("Marks where more light leaves than comes (Ctrl+2)"), out);
+  angles_ = check(tr("angle zones overlay"),
+                  tr("Tints where the surface is seen at 45 to 75 degrees, and at more (Ctrl+3)"), out);
   out->add(tr("Shape"), shape_);
   out->add(tr("Wedge of"), parameter_);
   out->add(tr("Steps"), steps_);
   out->add(textured_);
   out->add(zone_);
   out->add(energy_);
+  out->add(angles_);
   connect(shape_, &QComboBox::activated, this, [this](int row) {
     ProjectView view = document_.project().view;
     view.wedge.on = row == 2;
@@ -266,10 +269,12 @@ Section* ViewPanel::make_shape() {
     if (showing_) return;
     look_.zone_overlay = zone_->isChecked();
     look_.energy_overlay = energy_->isChecked();
+    look_.angle_overlay = angles_->isChecked();
     look_.textured = textured_->isChecked();
     emit look_changed();
   };
-  for (QCheckBox* each : {zone_, energy_, textured_}) connect(each, &QCheckBox::clicked, this, update_look);
+  for (QCheckBox* each : {zone_, energy_, angles_, textured_})
+    connect(each, &QCheckBox::clicked, this, update_look);
   return out;
 }
 
@@ -357,6 +362,7 @@ void ViewPanel::show_look() {
   steps_->setEnabled(view.wedge.on);
   zone_->setChecked(look_.zone_overlay);
   energy_->setChecked(look_.energy_overlay);
+  angles_->setChecked(look_.angle_overlay);
   textured_->setChecked(look_.textured);
   split_->setChecked(view.compare.on);
   pinned_->setText(view.compare.pinned

@@ -51,7 +51,8 @@ class ViewPanel : public PanelScroll {
   QuietComboBox *display_ = nullptr, *view_ = nullptr, *shape_ = nullptr, *parameter_ = nullptr,
                 *model_ = nullptr, *behind_ = nullptr;
   QuietSpinBox* steps_ = nullptr;
-  QCheckBox *zone_ = nullptr, *energy_ = nullptr, *textured_ = nullptr, *split_ = nullptr, *ground_ = nullptr;
+  QCheckBox *zone_ = nullptr, *energy_ = nullptr, *angles_ = nullptr, *textured_ = nullptr, *split_ = nullptr,
+            *ground_ = nullptr;
   QLabel *pinned_ = nullptr, *patch_ = nullptr, *config_ = nullptr;
   QPushButton* unpin_ = nullptr;
   RepeatedPress step_press_;

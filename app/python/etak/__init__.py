@@ -32,8 +32,9 @@ _core._start(_os.path.abspath(__path__[0]))
 
 __all__ = [
     "CheckedFile", "Choice", "Choices", "Citation", "Dataset", "Error", "F0", "Finding", "Library", "Material",
-    "Near", "Packed", "Report", "Spread", "__version__", "choose", "dataset", "delta_e", "export", "f0", "fresnel",
-    "fresnel_forms", "functions", "library", "nearest", "pack", "pack_settings", "read", "sources", "validate"]
+    "Near", "Packed", "Report", "Spread", "__version__", "choose", "curve", "dataset", "delta_e", "export", "f0",
+    "fresnel", "fresnel_forms", "functions", "library", "nearest", "pack", "pack_settings", "plot", "read", "sources",
+    "validate"]
 
 
 def _documents() -> Any:
@@ -388,6 +389,77 @@ def export(
     for each in remarks:
         warnings.warn(each, stacklevel=2)
     return document
+
+
+def _curve(materials: Any, form: str, given: Dict[str, Any]) -> bytes:
+    import warnings
+
+    several = materials if isinstance(materials, (list, tuple)) else () if materials is None else (materials,)
+    out, remarks = _core.curve(list(several), form, given, given["library"])
+    for each in remarks:
+        warnings.warn(each, stacklevel=3)
+    return out
+
+
+def curve(
+    materials: Any = None, *, of: str = "F", model: Any = None, term: Any = None, light: float = 45,
+    step: float = 0.5, channel: str = "luminance", set: Any = None, diffuse: Any = None,
+    gloss: Optional[float] = None, roughness: Optional[float] = None, dataset: str = "", axis_average: bool = False,
+    observer: Table = None, illuminant: Table = None, interpolation: Optional[str] = None,
+    method: Optional[str] = None, integration_bound: Optional[Number] = None, outside: Optional[Number] = None,
+    allow_extrapolation: bool = False, unit: Optional[str] = None, columns: Optional[str] = None,
+    duplicates: Optional[str] = None, material_class: Optional[str] = None, origin: Optional[str] = None,
+    library: Library = library,
+) -> "Dict[str, Any]":
+    """Reflectance, terms and lobes as curves: what `etak curve --format json` writes, with the columns as arrays.
+
+      materials   a material as f0() takes it, numbers such as "f0=0.04", or a list or tuple of them
+      of          "F", "D", "G", "V", "lobe" or "R"
+      model, term, set   one or several, as options of `etak curve`: set=["m=8", "m=100"] are two curves
+      light, step        degrees        channel   "luminance", "red", "green", "blue" or "rgb"
+      gloss, roughness, diffuse         of the surface; a colour may be a hex text
+
+    What was assumed is a warning each.
+
+    >>> schlick = etak.curve("f0=0.04", term="schlick", step=30)["curves"][0]
+    >>> schlick["title"], schlick["x"], schlick["y"].round(4)
+    ('f0=0.04, schlick', array([ 0., 30., 60., 90.]), array([0.04, 0.04, 0.07, 1.  ]))
+    """
+    import json
+
+    import numpy
+
+    out: Dict[str, Any] = json.loads(_curve(materials, "json", locals()))
+    del out["schema"]
+    for each in out["curves"]:
+        each["x"], each["y"] = numpy.array(each["x"], "float64"), numpy.array(each["y"], "float64")
+    return out
+
+
+def plot(
+    materials: Any, file: Path, *, of: str = "F", model: Any = None, term: Any = None, light: float = 45,
+    step: float = 0.5, channel: str = "luminance", set: Any = None, diffuse: Any = None,
+    gloss: Optional[float] = None, roughness: Optional[float] = None, dataset: str = "", axis_average: bool = False,
+    observer: Table = None, illuminant: Table = None, interpolation: Optional[str] = None,
+    method: Optional[str] = None, integration_bound: Optional[Number] = None, outside: Optional[Number] = None,
+    allow_extrapolation: bool = False, unit: Optional[str] = None, columns: Optional[str] = None,
+    duplicates: Optional[str] = None, material_class: Optional[str] = None, origin: Optional[str] = None,
+    library: Library = library,
+    scale: str = "linear", straight: bool = False, dark: bool = False, force: bool = False,
+) -> None:
+    """Writes the curves of curve() as a plot: .svg or .png. PNG needs the font DejaVu Sans.
+
+      scale      of the radius of lobes: "linear" or "log"
+      straight   lobes over a straight axis instead of around the normal
+      dark       on a dark background        force   replace the file
+
+    >>> etak.plot(["gold", "copper"], "metals.svg")
+    """
+    name = _os.fsdecode(file)
+    form = _os.path.splitext(name)[1][1:].lower()
+    if form not in ("svg", "png"):
+        raise Error(f"file: {name}; expected an ending .svg or .png")
+    _core.write_file(name, _curve(materials, form, locals()), force)
 
 
 def eval(function: str, **inputs: Any) -> Any:

@@ -12,6 +12,12 @@ void marks_text(GlslGlue& glue, const Scene& scene, const std::string& body_colo
   // Only windows can ask for stripes, so the feature is listed for their scenes alone (those with a view).
   if (!zone && scene.view) glue.leave_out("zone stripes", "not asked for");
   if (energy.empty() && scene.view) glue.leave_out("energy stripes", "not asked for");
+  if (!scene.mark_angles && scene.view) glue.leave_out("angle zones", "not asked for");
+  const std::string exposure = scene.exposure != 1 || scene.view ? "exposure" : "1.0";
+  if (scene.mark_angles) {
+    glue.line("    object = with_angle_zones(object, dot(n, v), " + exposure + ");");
+    glue.use("angle zones", "45 and 75 degrees");
+  }
   if (!zone && energy.empty()) return;
   std::string in_zone = "false", in_energy = "false";
   if (zone) {
@@ -37,8 +43,7 @@ void marks_text(GlslGlue& glue, const Scene& scene, const std::string& body_colo
   glue.line(std::string("    vec2 stripe_at = floor(gl_FragCoord.xy") +
             (anywhere ? " - picture_origin" : "") + ");");
   glue.line("    object = with_stripes(object, " + in_zone + ", " + in_energy +
-            ", stripe_at.x, picture_size.y - 1.0 - stripe_at.y, " +
-            (scene.exposure != 1 || scene.view ? "exposure" : "1.0") + ");");
+            ", stripe_at.x, picture_size.y - 1.0 - stripe_at.y, " + exposure + ");");
 }
 
 }  // namespace etak

@@ -10,7 +10,7 @@ namespace etak {
 /// function or, where `display` is null, the scene's tone curve and transfer.
 void transfer_text(GlslGlue& glue, const Scene& scene, const GlslDisplay* display);
 
-/// Writes the stripes over `object` (core/light/marks.glsl), where the scene asks for them.
+/// Writes the tints and stripes over `object` (core/light/marks.glsl), where the scene asks for them.
 ///   body_color   the GLSL expression of the diffuse colour, of a scene with textures
 void marks_text(GlslGlue& glue, const Scene& scene, const std::string& body_color);
 
