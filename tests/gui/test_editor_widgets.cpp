@@ -350,8 +350,7 @@ class EditorWidgets : public QObject {
     QCOMPARE(window->document().material()->gloss, 0.75);
   }
 
-  // found 1.06
-  void found_1_06_roughness_is_typed_beside_gloss_from_mirror_to_paper() {
+  void roughness_is_typed_beside_gloss_from_mirror_to_paper() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
     window->show();

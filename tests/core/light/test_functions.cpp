@@ -331,7 +331,7 @@ TEST_CASE("transfer, lights, transparency") {
   CHECK(eval("fresnel_opacity", "alpha=0.25;K=0.04;nv=1") == near_to(1 - 0.75 * 0.96));
 }
 
-TEST_CASE("found 1.20: every function of n and k takes n = 0, a metal without loss, in its limit") {
+TEST_CASE("every function of n and k takes n = 0, a metal without loss, in its limit") {
   for (const char* inputs : {"n=0;k=5", "n=1e-300;k=5", "n=0;k=1e-300", "n=1e-300;k=0", "n=0;k=1e6"}) {
     INFO(inputs);
     CHECK(eval("f0", inputs) == 1);

@@ -105,7 +105,7 @@ TEST_CASE("quadrature: errors shrink with the step, auto keeps its bound, stiff 
   CHECK(!contains(note("exact"), "finer than the grid"));
 }
 
-TEST_CASE("found 3.7: no table repeats the errors of another one row for row") {
+TEST_CASE("no table repeats the errors of another one row for row") {
   const ErrorTimeFamily family = quadrature_family(quick());
   for (std::size_t i = 0; i < family.tables.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -251,7 +251,7 @@ TEST_CASE("Fresnel: dielectrics are exact from F0, metals best with F82 for its 
 }
 
 TEST_CASE(
-    "found 3.5: Fresnel's sets are whole classes that their titles name, and absorbing organics are told "
+    "Fresnel's sets are whole classes that their titles name, and absorbing organics are told "
     "of") {
   const ErrorTimeFamily family = fresnel_family(quick());
   const auto library = MaterialLibrary::builtin();
@@ -287,7 +287,7 @@ TEST_CASE(
   CHECK_FALSE(contains(family.advice, "nothing can tell"));
 }
 
-TEST_CASE("found 2.1: Fresnel errors are of sound data, material by material; doubtful data stand apart") {
+TEST_CASE("Fresnel errors are of sound data, material by material; doubtful data stand apart") {
   const ErrorTimeTable metals = test::table(fresnel_family(quick()), "metals");
   // One bad table used to make the headline: 0.433 and 0.241.
   CHECK(error(metals, "schlick", "p90_abs") < 0.23);
