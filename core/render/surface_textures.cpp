@@ -75,7 +75,7 @@ bool follows_texture(const Model& model, const Parameter& parameter) {
     case Role::gloss:
     case Role::alpha:
     case Role::exponent:
-      return model.derived.empty();
+      return !model.derives_from_width();
     default:
       return false;
   }
