@@ -196,7 +196,7 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
                                 {"standard_error", number(stats.ambient->standard_error, 6)}},
                                -1)});
   if (const auto off = scene.specular != nullptr && !scene.lights.environment.empty()
-                           ? ambient_accuracy(scene.specular->id, scene.surface.gloss)
+                           ? ambient_accuracy(scene.specular->id, scene.surface.gloss, scene.refined)
                            : std::nullopt)
     out.push_back({"ambient_error", json_object({{"mean", number(off->mean, 3)},
                                                  {"picture", number(off->picture, 3)},
