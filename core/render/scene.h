@@ -110,19 +110,23 @@ struct View {
   friend bool operator==(const View&, const View&) = default;
 };
 
-/// The two textures of a surface, with four channels each in linear light. They are looked up bilinearly with
+/// The textures of a surface, with four channels each in linear light. They are looked up bilinearly with
 /// repeated edges. On the quad they begin at the top left corner; on the sphere they lie in latitude and
-/// longitude, with the seam at the back.
-///   has   the quantities that the textures hold; the others are those of the scene's surface, so that a number
-///         can change while the textures stay as they are
+/// longitude, with the seam at the back. Their sizes may differ. One that holds nothing may have no texels.
+///   has        the quantities that the textures hold; the others are those of the scene's surface, so that a
+///              number can change while the textures stay as they are
+///   emission   factors of the surface's emission and, in the fourth channel, of its occlusion, as in glTF
 struct SurfaceTextures {
   /// Which quantities of a surface come from its textures.
   struct Quantities {
-    bool diffuse = true, opacity = true, f0 = true, gloss = true;
+    bool diffuse = true, opacity = true, f0 = true, gloss = true, emission = false, occlusion = false;
+    /// Whether models take some value from a texture.
+    bool values() const { return diffuse || opacity || f0 || gloss; }
   };
   Image body;   // diffuse colour and opacity
   Image gloss;  // F0 and gloss
   Quantities has = {};
+  Image emission = {};
 };
 
 enum class Shape { sphere, quad };
@@ -177,7 +181,8 @@ struct Scene {
   std::vector<double> specular_values;
   const Model* diffuse = nullptr;  // null: no diffuse part, or `specular` is of kind both
   std::vector<double> diffuse_values;
-  // These replace what they hold of the surface's diffuse, opacity, f0 and gloss; null: none.
+  // These replace what they hold of the surface's diffuse, opacity, f0 and gloss, and multiply its emission and
+  // occlusion; null: none.
   std::shared_ptr<const SurfaceTextures> textures;
   bool mark_zone = false;          // stripes where the luminance of F0 is in the forbidden zone
   std::vector<float> mark_energy;  // by quick_albedo(): stripes where it is above 1; empty: no stripes
@@ -195,6 +200,11 @@ struct Scene {
   Vec3 background{0.18, 0.18, 0.18};  // linear
   Backdrop backdrop;
   int width = 512, height = 512;
+
+  /// What its textures hold.
+  SurfaceTextures::Quantities textured() const {
+    return textures ? textures->has : SurfaceTextures::Quantities{false, false, false, false};
+  }
 };
 
 /// The values of the scene's specular model. In a model of kind both, the diffuse colour is multiplied by the

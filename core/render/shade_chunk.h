@@ -33,6 +33,8 @@ struct Chunk {
   Lane through;                      // share of the background that is seen through the object
   Triple texel_body, texel_f0;       // from textures: diffuse colour times opacity, and F0
   Lane texel_opacity, texel_gloss;
+  Triple emission;                // radiance that the points send out by themselves
+  Lane occlusion;                 // share of the light of hemispheres and environment that reaches them
   std::array<Lane, 5> area_lobe;  // a, b, d, e and the plain cosine's share: core/light/area_lobes.h
 };
 

@@ -21,6 +21,7 @@ struct Shading {
   std::vector<ChunkLight> lights;
   std::vector<ChunkArea> areas;
   AreaTable area_lobes;
+  bool textured;      // whether models take values from textures
   bool with_diffuse;  // whether there is diffuse light, from `diffuse` or from a specular model of kind both
   bool needs_positions = false, needs_viewers;
   bool far = false;  // the viewer is at infinity, and the models have loops for directional lights
@@ -37,15 +38,16 @@ struct Shading {
         turn(s.environment_turn_deg),
         specular(s.specular),
         diffuse(s.diffuse),
-        specular_values(seen_specular_values(s)) {
+        specular_values(seen_specular_values(s)),
+        textured(s.textured().values()) {
     if (diffuse != nullptr && body_is_black(*diffuse, s.diffuse_values)) diffuse = nullptr;
     const bool combined = specular != nullptr && specular->kind == ModelKind::combined;
     with_diffuse = diffuse != nullptr || (combined && !body_is_black(*specular, s.specular_values));
-    if (s.textures) {
+    if (textured) {
       diffuse = s.diffuse;
       with_diffuse = diffuse != nullptr || combined;
-      needs_positions = true;
     }
+    needs_positions = s.textures != nullptr;
     f0_luminance = etak::luminance_of(s.surface.f0);
     if (s.lights.hemispheres || e != nullptr) ambient = ambient_table(s, held_by_textures(s));
     needs_viewers = s.lights.hemispheres.has_value() || e != nullptr || camera.turned();
@@ -53,7 +55,7 @@ struct Shading {
     const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;
     clear_ball = is_clear_ball(s) && e != nullptr;
     in_zone = zone_of(f0_luminance) == Zone::inside;
-    far = !camera.perspective() && has_far_respond && !s.textures;
+    far = !camera.perspective() && has_far_respond && !textured;
     for (const Model* model : {specular, diffuse}) far = far && (model == nullptr || model->has_far_loop());
     for (const Light& light : s.lights.lights) {
       if (is_area(light.kind)) {
@@ -77,7 +79,7 @@ struct Shading {
                         real(hx / length), real(hy / length), real(hz / length), length / 2});
     }
     if (!areas.empty() && specular != nullptr)
-      area_lobes = area_table(*specular, specular_values, s.textures && width_follows_texture(*specular));
+      area_lobes = area_table(*specular, specular_values, textured && width_follows_texture(*specular));
   }
 
   void add_area(const Light& light) {
@@ -143,20 +145,25 @@ void respond_textured(const Model& model, const std::vector<double>& values, con
   }
 }
 
+// The position of a point; beyond the last one, a place on the object.
+Vec3 position_of(const Chunk& c, std::size_t i) {
+  if (i >= c.count) return {0, 0, 1};
+  return {double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])};
+}
+
 void look_up_textures(const Shading& shading, Chunk& c) {
   const SurfaceTextures& textures = *shading.scene.textures;
+  const SurfaceTextures::Quantities& has = textures.has;
   const SurfaceValues& surface = shading.scene.surface;
   for (std::size_t i = 0; i < c.whole_blocks; ++i) {
-    const bool there = i < c.count;
-    const auto [u, v] = texture_place(
-        shading.camera.shape(),
-        there ? Vec3{double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])}
-              : Vec3{0, 0, 1});
-    std::array<double, 4> body = texel(textures.body, u, v), gloss = texel(textures.gloss, u, v);
-    if (!textures.has.diffuse) std::copy_n(surface.diffuse.begin(), 3, body.begin());
-    if (!textures.has.opacity) body[3] = surface.opacity;
-    if (!textures.has.f0) std::copy_n(surface.f0.begin(), 3, gloss.begin());
-    if (!textures.has.gloss) gloss[3] = surface.gloss;
+    const auto [u, v] = texture_place(shading.camera.shape(), position_of(c, i));
+    std::array<double, 4> body{}, gloss{};
+    if (has.diffuse || has.opacity) body = texel(textures.body, u, v);
+    if (has.f0 || has.gloss) gloss = texel(textures.gloss, u, v);
+    if (!has.diffuse) std::copy_n(surface.diffuse.begin(), 3, body.begin());
+    if (!has.opacity) body[3] = surface.opacity;
+    if (!has.f0) std::copy_n(surface.f0.begin(), 3, gloss.begin());
+    if (!has.gloss) gloss[3] = surface.gloss;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       c.texel_body[channel][i] = real(body[channel] * body[3]);
       c.texel_f0[channel][i] = real(gloss[channel]);
@@ -166,10 +173,22 @@ void look_up_textures(const Shading& shading, Chunk& c) {
   }
 }
 
+// Finds what the points send out by themselves and how much of the light from all around reaches them.
+void look_up_emission(const Scene& scene, Chunk& c) {
+  const SurfaceTextures::Quantities has = scene.textured();
+  const bool same = !has.emission && !has.occlusion;
+  const std::array<double, 4> everywhere = same ? emission_at(scene, {0, 0, 1}) : std::array<double, 4>{};
+  for (std::size_t i = 0; i < c.whole_blocks; ++i) {
+    const std::array<double, 4> here = same ? everywhere : emission_at(scene, position_of(c, i));
+    for (std::size_t channel = 0; channel < 3; ++channel) c.emission[channel][i] = real(here[channel]);
+    c.occlusion[i] = real(here[3]);
+  }
+}
+
 // Adds the light of hemispheres and environment.
 void reflect_ambient(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
-  const bool textured = scene.textures != nullptr, with_specular = shading.specular != nullptr;
+  const bool textured = shading.textured, with_specular = shading.specular != nullptr;
   const real gloss = real(scene.surface.gloss);
   const SameSurface same{{narrowed(scene.surface.f0), narrowed(scene.surface.diffuse), gloss}};
   const TexturedSurface of_texture{c};
@@ -195,7 +214,7 @@ void reflect_ambient(const Shading& shading, Chunk& c) {
 void shade(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
   const std::size_t count = c.whole_blocks;
-  const bool textured = scene.textures != nullptr;
+  const bool textured = shading.textured;
   if (textured) look_up_textures(shading, c);
   build_frames(c, !shading.camera.perspective() && !shading.camera.turned());
   const bool with_specular = shading.specular != nullptr;
@@ -203,12 +222,14 @@ void shade(const Shading& shading, Chunk& c) {
     c.specular[channel].fill(count, 0);
     if (shading.with_diffuse) c.diffuse[channel].fill(count, 0);
   }
-  const bool occluded = scene.surface.occlusion < 1;
+  const bool occluded = scene.textured().occlusion || scene.surface.occlusion < 1,
+             emits = scene.surface.emission != Vec3{};
+  if (occluded || emits) look_up_emission(scene, c);
   if (occluded) {
     reflect_ambient(shading, c);
     for (Triple* sum : {&c.specular, &c.diffuse})
       for (Lane& lane : *sum)
-        for (std::size_t i = 0; i < count; ++i) lane[i] *= real(scene.surface.occlusion);
+        for (std::size_t i = 0; i < count; ++i) lane[i] *= c.occlusion[i];
   }
   const auto reflect = [&](const Model& model, const std::vector<double>& values, const ChunkLight* far,
                            const vec3& color, Triple& sum) {
@@ -248,9 +269,8 @@ void shade(const Shading& shading, Chunk& c) {
       }
     }
   if (!occluded) reflect_ambient(shading, c);
-  for (std::size_t channel = 0; channel < 3; ++channel)
-    if (const real emitted = real(scene.surface.emission[channel]); emitted > 0)
-      for (std::size_t i = 0; i < count; ++i) c.specular[channel][i] += emitted;
+  for (std::size_t channel = 0; emits && channel < 3; ++channel)
+    for (std::size_t i = 0; i < count; ++i) c.specular[channel][i] += c.emission[channel][i];
   const real gloss = real(scene.surface.gloss);
   if (textured)
     see_through_texture(c);
@@ -269,7 +289,7 @@ struct Marks {
 Marks marks_at(const Shading& shading, const Chunk& c, std::size_t i) {
   const Scene& scene = shading.scene;
   Marks out{scene.mark_zone && shading.in_zone, false};
-  if (scene.textures) {
+  if (shading.textured) {
     const vec3 f0_here(c.texel_f0[0][i], c.texel_f0[1][i], c.texel_f0[2][i]);
     out.zone = scene.mark_zone && in_forbidden_zone(f0_here);
     out.energy = !scene.mark_energy.empty() &&
@@ -289,7 +309,7 @@ Marks marks_at(const Shading& shading, const Chunk& c, std::size_t i) {
 void store(const Shading& shading, const Piece& piece, const Chunk& c, float* row) {
   const Scene& scene = shading.scene;
   const Camera& camera = shading.camera;
-  const bool textured = scene.textures != nullptr;  // its body is already multiplied by opacity
+  const bool textured = shading.textured;  // its body is already multiplied by opacity
   const real opacity = textured ? real(1) : real(scene.surface.opacity);
   vec3 behind = narrowed(scene.background);
   const bool plain = shading.backdrop.is_plain();

@@ -394,6 +394,10 @@ class EditorWidgets : public QObject {
     QVERIFY(channel_of_name(QStringLiteral("/a/crate_gloss.png")) == Channel::gloss);
     QVERIFY(channel_of_name(QStringLiteral("crate-Specular.tif")) == Channel::specular);
     QVERIFY(channel_of_name(QStringLiteral("albedo.exr")) == Channel::diffuse);
+    QVERIFY(channel_of_name(QStringLiteral("lamp_emissive.exr")) == Channel::emission);
+    QVERIFY(channel_of_name(QStringLiteral("lamp_emission.png")) == Channel::emission);
+    QVERIFY(channel_of_name(QStringLiteral("wall-ao.png")) == Channel::occlusion);
+    QVERIFY(channel_of_name(QStringLiteral("wall_Occlusion.png")) == Channel::occlusion);
     QVERIFY(!channel_of_name(QStringLiteral("crate.png")));
   }
 

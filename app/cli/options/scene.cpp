@@ -314,6 +314,8 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   if (!arguments.background.empty())
     scene.background = vec(typed_color("--background", arguments.background));
   scene.surface = subject_surface(arguments, notes);
+  // Where nothing is said, the texture is the emission itself.
+  if (!arguments.emission_texture.empty()) scene.surface.emission = {1, 1, 1};
   if (!arguments.emission.empty()) scene.surface.emission = vec(typed_emission(arguments.emission));
   scene.surface.occlusion = arguments.occlusion;
   choose_models(scene, arguments.model, arguments.diffuse_model, read_set(arguments.set), notes.remarks);
@@ -331,6 +333,8 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   if (!arguments.ground.empty()) scene.lights.ground = vec(typed_share("--ground", arguments.ground));
   scene.lights = with_ground(scene.lights);
   scene.refined = arguments.refined;
+  read_textures(arguments);
+  scene.textures = arguments.textures;
   tell_areas(scene, notes.remarks);
   validate(scene);
   if (std::string text = ambient_remark(scene, held_by_textures(scene)); !text.empty())
@@ -372,6 +376,15 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.option("--occlusion", arguments.occlusion,
               "share of the light of hemispheres and environment that reaches the surface, 0 to 1")
       .show_default();
+  verb.option("--emission-texture", arguments.emission_texture,
+              "picture of the emission, which multiplies --emission; codes are sRGB where the file does not "
+              "say linear, and floats are linear")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--occlusion-texture", arguments.occlusion_texture,
+              "picture whose red or grey channel multiplies --occlusion, linear")
+      .reads_file()
+      .value_name("FILE");
   verb.option("--lights", arguments.lights,
               "number of directional lights, a light setup, or sources: three lights and two hemispheres; "
               "default " +

@@ -18,11 +18,11 @@ void add_render(CommandLine& line) {
       .value_name("FILE");
   verb.flag("--force", arguments->stats.force, "let -o replace a file; ETAK_FORCE=1 says the same");
   verb.option(
-          "--texture", arguments->texture,
+          "--texture", arguments->scene.texture,
           "picture of the diffuse colour and, in its fourth channel, of the opacity, laid over the object")
       .reads_file()
       .value_name("FILE");
-  verb.option("--gloss-texture", arguments->gloss_texture,
+  verb.option("--gloss-texture", arguments->scene.gloss_texture,
               "picture of F0 and, in its fourth channel, of the gloss, as etak pack writes it")
       .reads_file()
       .value_name("FILE");
