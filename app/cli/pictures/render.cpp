@@ -27,8 +27,10 @@
 #include "core/render/display.h"
 #include "core/render/glsl/gl_runner.h"
 #include "core/render/ground_bounce.h"
+#include "core/render/mesh_view.h"
 #include "core/render/reference.h"
 #include "core/render/surface_textures.h"
+#include "core/scene/gltf.h"
 
 namespace etak::cli {
 namespace {
@@ -251,6 +253,12 @@ void check_picture_name(const RenderArguments& arguments) {
                     "-o FILE, and neither --sheet nor --frames");
   if (arguments.reference && arguments.device == "gl")
     throw Error::at("--reference", "is not drawn with gl", "--device cpu");
+  for (const auto& [option, given] :
+       {std::pair("--reference", arguments.reference), std::pair("--device gl", arguments.device == "gl"),
+        std::pair("--sheet", arguments.sheet), std::pair("--quad", arguments.scene.quad)})
+    if (given && !arguments.mesh.empty())
+      throw Error::at("--mesh", std::string("beside ") + option + ", which draws spheres and quads alone",
+                      "one of them");
 }
 
 // The picture of a file in linear light.
@@ -281,9 +289,21 @@ void lay_textures(const RenderArguments& arguments, Scene& scene) {
   scene.textures = std::make_shared<const SurfaceTextures>(std::move(out));
 }
 
+void lay_mesh(const std::string& path, Scene& scene) {
+  if (path.empty()) return;
+  if (!is_gltf_file(path)) throw Error::at(printable(path, 200), "no glTF scene", ".gltf or .glb");
+  GltfOptions options;
+  options.mesh = true;
+  Mesh mesh = read_gltf(path, options).mesh;
+  if (scene.textures && !mesh.has_uvs)
+    throw Error::at(path, "a mesh without UVs", "TEXCOORD_0 in each primitive, by which textures are laid");
+  scene.mesh = std::make_shared<const Mesh>(in_place_of_ball(std::move(mesh), path));
+}
+
 Image draw_one(RenderArguments& arguments, unsigned threads, Scene& scene, SceneNotes& notes, Stats& stats) {
   scene = scene_of(arguments.scene, notes);
   lay_textures(arguments, scene);
+  lay_mesh(arguments.mesh, scene);
   tell_held_gloss(scene, notes);
   stats.subject = notes.subject;
   const auto begin = Clock::now();

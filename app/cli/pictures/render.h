@@ -19,6 +19,7 @@ struct RenderArguments {
   std::string ambient = "refined";
   std::string ocio, display, view;
   std::string texture, gloss_texture;  // files: diffuse colour and opacity; F0 and gloss
+  std::string mesh;                    // a glTF file
   std::string sweep;                   // NAME=VALUES
   std::string part = "all";            // of the sheet: see draw_sheet()
   bool reference = false, sheet = false, half = false;
