@@ -155,6 +155,9 @@ class Walk {
     const auto triangles =
         triangles_of(document_, node, positions->count, most_gltf_triangles - mesh.triangles.size());
     if (triangles.empty()) return;
+    // Few triangles may bring many vertices, once for each node.
+    if (mesh.vertices.size() + positions->count > most_gltf_triangles)
+      node.fail("vertices beyond " + std::to_string(most_gltf_triangles), "at most so many in all");
     const JsonNode attributes = node.at("attributes");
     if (!attributes.has("NORMAL"))
       attributes.fail("no NORMAL", "a mesh with normals: which edges are smooth cannot be told without");
@@ -179,8 +182,11 @@ class Walk {
         vertex.position[c] = static_cast<float>(position[c]);
         vertex.normal[c] = static_cast<float>(normal[c] / length);
       }
-      for (std::size_t c = 0; uvs.first != nullptr && c < 2; ++c)
+      for (std::size_t c = 0; uvs.first != nullptr && c < 2; ++c) {
         vertex.uv[c] = static_cast<float>(uvs.number(i, c));
+        if (!std::isfinite(vertex.uv[c]))
+          attributes.at("TEXCOORD_0").fail("a UV that is not finite", "finite UVs");
+      }
     }
     for (const auto& [a, b, c] : triangles) mesh.triangles.push_back({begin + a, begin + b, begin + c});
   }

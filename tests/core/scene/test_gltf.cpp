@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "tests/core/scene/small_scene.h"
 #include "tests/support.h"
@@ -298,4 +299,8 @@ TEST_CASE("a mesh has the triangles of all nodes, moved, with normals and the fi
   CHECK(contains(refused(replaced(json, R"("TEXCOORD_0":1)", R"("TEXCOORD_0":1,"NORMAL":1)")),
                  "expected VEC3"));
   CHECK(!parsed(replaced(json, R"("TEXCOORD_0":1)", R"("NORMAL":3)"), options).mesh.has_uvs);
+  std::string endless = buffer;
+  endless.replace(52, 4, bytes_of<float>({std::numeric_limits<float>::infinity()}));
+  CHECK(contains(refused(replaced(with_normals, base64(buffer), base64(endless))),
+                 "TEXCOORD_0: a UV that is not finite"));
 }
