@@ -355,7 +355,7 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const SceneBackdro
     }
     const Camera::Sight sight = camera.sight(x, y);
     const Mat3 frame = frame_of(sight.normal);
-    const auto [r, g, b, occlusion] = emission_at(scene, sight.position);
+    const auto [r, g, b, occlusion] = emission_at(scene, texture_place(scene.shape, sight.position));
     points.push_back({sight.position, frame, frame * sight.viewer, occlusion});
     const Vec3& v = points.back().v;
     out.color = out.color + Vec3{r, g, b} + shader.from_lights(sight.position, frame, v) +

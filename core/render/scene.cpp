@@ -205,11 +205,13 @@ FittedModels fit_models(const Model* specular, const Model* diffuse,
 }
 
 bool is_clear_ball(const Scene& scene) {
-  return scene.shape == Shape::sphere && !scene.textured().values() && scene.surface.passing.has_value() &&
-         scene.surface.opacity < 1;
+  return scene.shape == Shape::sphere && scene.mesh == nullptr && !scene.textured().values() &&
+         scene.surface.passing.has_value() && scene.surface.opacity < 1;
 }
 
-void validate(const Scene& scene) {
+void validate(const Scene& scene, bool meshes_drawn) {
+  if (scene.mesh != nullptr && !meshes_drawn)
+    throw Error::at("scene", "a mesh", "a sphere or a quad, which alone the reference and GL draw");
   for (const int side : {scene.width, scene.height})
     require(side >= 1 && side <= max_image_side, "size", side, "1 to 16384 pixels on a side");
   if (scene.specular == nullptr && scene.diffuse == nullptr)

@@ -17,6 +17,8 @@
 
 namespace etak {
 
+struct Mesh;  // core/math/mesh.h
+
 /// The optical values of a surface, for each channel of linear sRGB. The role of a model's parameter says
 /// which of them it takes.
 struct SurfaceValues {
@@ -156,6 +158,8 @@ struct Backdrop {
 ///                 at its centre, moved inwards where that lies beyond r = 0.9999
 ///   quad          the square |x|, |y| <= 1 in the plane z = 0, normal +z; coverage = product of the sphere's
 ///                 expression for r = |x| and for r = |y|
+///   mesh          drawn on the CPU alone, without shadows of itself; a pixel is the mean of 4 x 4 samples, of
+///                 which those of one surface are shaded once (mesh_view.h)
 ///   frame         tangent t = normalize(cross(y, n)), the x axis where |cross|^2 < 1e-12; bitangent
 ///                 b = cross(n, t)
 ///   light         sum of f_r E nl, times pi where `pi_scaled`; hemispheres and environment use diffuse, f0
@@ -176,6 +180,7 @@ struct Backdrop {
 ///                 the coverage
 struct Scene {
   Shape shape = Shape::sphere;
+  std::shared_ptr<const Mesh> mesh;  // in place of the sphere; null: none
   SurfaceValues surface;
   const Model* specular = nullptr;  // may be of kind both; null: no specular part
   std::vector<double> specular_values;
@@ -216,7 +221,7 @@ bool is_clear_ball(const Scene& scene);
 
 /// Throws Error for scenes that cannot be drawn: sides outside of 1..16384 pixels, NaN, n <= 0, k < 0, lists
 /// of values that do not fit their models, no model at all, a light setup that validate() of
-/// core/light/lights.h refuses.
-void validate(const Scene& scene);
+/// core/light/lights.h refuses, and a mesh where none can be drawn.
+void validate(const Scene& scene, bool meshes_drawn = false);
 
 }  // namespace etak

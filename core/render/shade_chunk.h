@@ -22,6 +22,7 @@ using Triple = std::array<Lane, 3>;
 struct Chunk {
   std::size_t count = 0, whole_blocks = 0;  // how many points; the same, rounded up to whole blocks
   Triple position, normal, viewer;          // in the scene's space; filled by the caller
+  std::array<Lane, 2> uv;                   // of a mesh; filled by the caller
   Lane tangent_x, tangent_z;                // the tangent's y is 0
   Triple bitangent;
   Triple local_viewer, local_light;  // in the frame of tangent, bitangent and normal

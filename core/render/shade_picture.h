@@ -93,6 +93,12 @@ struct Shading {
     areas.push_back(std::move(area));
     needs_positions = needs_viewers = true;
   }
+
+  // Whether the background is seen through the object, and whether the object may get stripes.
+  bool clear() const { return (textured || scene.surface.opacity < 1) && !clear_ball; }
+  // What the diffuse part is multiplied by: that of a texel holds its opacity already.
+  real opacity() const { return textured ? real(1) : real(scene.surface.opacity); }
+  bool marked() const { return scene.mark_zone || !scene.mark_energy.empty(); }
 };
 
 // A piece of a row that becomes one chunk: the columns from `first` on. The object covers the columns
@@ -145,10 +151,17 @@ void respond_textured(const Model& model, const std::vector<double>& values, con
   }
 }
 
-// The position of a point; beyond the last one, a place on the object.
-Vec3 position_of(const Chunk& c, std::size_t i) {
-  if (i >= c.count) return {0, 0, 1};
-  return {double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])};
+// A UV of a mesh in the texture, which repeats.
+double inside_texture(double at) {
+  return at >= 0 && at <= 1 ? at : at - std::floor(at);
+}
+
+// Where a point of the chunk lies in the textures; points beyond the last one have some place too.
+std::array<double, 2> place_of(const Scene& scene, const Chunk& c, std::size_t i) {
+  if (i >= c.count) return {0.5, 0.5};
+  if (scene.mesh) return {inside_texture(double(c.uv[0][i])), inside_texture(double(c.uv[1][i]))};
+  return texture_place(scene.shape,
+                       {double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])});
 }
 
 void look_up_textures(const Shading& shading, Chunk& c) {
@@ -156,7 +169,7 @@ void look_up_textures(const Shading& shading, Chunk& c) {
   const SurfaceTextures::Quantities& has = textures.has;
   const SurfaceValues& surface = shading.scene.surface;
   for (std::size_t i = 0; i < c.whole_blocks; ++i) {
-    const auto [u, v] = texture_place(shading.camera.shape(), position_of(c, i));
+    const auto [u, v] = place_of(shading.scene, c, i);
     std::array<double, 4> body{}, gloss{};
     if (has.diffuse || has.opacity) body = texel(textures.body, u, v);
     if (has.f0 || has.gloss) gloss = texel(textures.gloss, u, v);
@@ -177,9 +190,9 @@ void look_up_textures(const Shading& shading, Chunk& c) {
 void look_up_emission(const Scene& scene, Chunk& c) {
   const SurfaceTextures::Quantities has = scene.textured();
   const bool same = !has.emission && !has.occlusion;
-  const std::array<double, 4> everywhere = same ? emission_at(scene, {0, 0, 1}) : std::array<double, 4>{};
+  const std::array<double, 4> everywhere = same ? emission_at(scene, {0.5, 0.5}) : std::array<double, 4>{};
   for (std::size_t i = 0; i < c.whole_blocks; ++i) {
-    const std::array<double, 4> here = same ? everywhere : emission_at(scene, position_of(c, i));
+    const std::array<double, 4> here = same ? everywhere : emission_at(scene, place_of(scene, c, i));
     for (std::size_t channel = 0; channel < 3; ++channel) c.emission[channel][i] = real(here[channel]);
     c.occlusion[i] = real(here[3]);
   }
@@ -305,42 +318,97 @@ Marks marks_at(const Shading& shading, const Chunk& c, std::size_t i) {
   return out;
 }
 
+// What is seen of the object at a point of the chunk, in a column and a row of the picture.
+//   behind   the light from behind it
+vec3 seen_at(const Shading& shading, const Chunk& c, std::size_t i, int column, int row, const vec3& behind) {
+  const Scene& scene = shading.scene;
+  vec3 seen(c.specular[0][i], c.specular[1][i], c.specular[2][i]);
+  seen = seen + shading.opacity() * vec3(c.diffuse[0][i], c.diffuse[1][i], c.diffuse[2][i]);
+  if (shading.clear()) seen = seen + behind * c.through[i];
+  if (!shading.marked()) return seen;
+  const Marks marks = marks_at(shading, c, i);
+  return with_stripes(seen, marks.zone, marks.energy, real(column), real(row), real(scene.exposure));
+}
+
 // Writes the pixels of a piece to `row`.
 void store(const Shading& shading, const Piece& piece, const Chunk& c, float* row) {
   const Scene& scene = shading.scene;
   const Camera& camera = shading.camera;
-  const bool textured = shading.textured;  // its body is already multiplied by opacity
-  const real opacity = textured ? real(1) : real(scene.surface.opacity);
   vec3 behind = narrowed(scene.background);
   const bool plain = shading.backdrop.is_plain();
-  const bool clear = (textured || opacity < 1) && !shading.clear_ball;
-  const bool marked = scene.mark_zone || !scene.mark_energy.empty();
   std::size_t whole_first = c.count, whole_last = c.count;
-  if (!clear && !marked) {
+  if (!shading.clear() && !shading.marked()) {
     whole_first = std::min(piece.whole_first, c.count);
     whole_last = std::min(piece.whole_last, c.count);
-    store_whole(c, whole_first, whole_last, opacity, row);
+    store_whole(c, whole_first, whole_last, shading.opacity(), row);
   }
   for (std::size_t i = 0; i < c.count; ++i) {
     if (i == whole_first) i = whole_last;
     if (i >= c.count) break;
-    const double x = camera.x(piece.first + static_cast<int>(i) + 0.5), y = camera.y(piece.row + 0.5);
+    const int column = piece.first + static_cast<int>(i);
+    const double x = camera.x(column + 0.5), y = camera.y(piece.row + 0.5);
     if (!plain) behind = narrowed(shading.backdrop.at(x, y));
-    vec3 seen(c.specular[0][i], c.specular[1][i], c.specular[2][i]);
-    seen = seen + opacity * vec3(c.diffuse[0][i], c.diffuse[1][i], c.diffuse[2][i]);
-    if (clear) seen = seen + behind * c.through[i];
-    if (marked) {
-      const Marks marks = marks_at(shading, c, i);
-      const real column = real(piece.first + static_cast<int>(i)), down = real(piece.row);
-      seen = with_stripes(seen, marks.zone, marks.energy, column, down, real(scene.exposure));
-    }
     const real cover = real(camera.coverage(x, y));
-    const vec3 shown = mix(behind, seen, cover);
+    const vec3 shown = mix(behind, seen_at(shading, c, i, column, piece.row, behind), cover);
     float* const out = row + 4 * i;
     out[0] = float(shown.x);
     out[1] = float(shown.y);
     out[2] = float(shown.z);
     out[3] = float(cover);
+  }
+}
+
+// The memory of one thread that draws a mesh: its samples, and a row of pixels.
+struct MeshRow {
+  MeshView::Samples samples;
+  std::vector<float> pixels;
+};
+
+// Draws a row of a mesh: the light from behind it first, in place of which the fragments then come.
+template <class Target>
+void draw_mesh_row(const Shading& shading, const MeshView& view, int row, MeshRow& own, Chunk& c,
+                   const Target& target) {
+  const int width = shading.scene.width;
+  const auto behind_at = [&](int column) {
+    return shading.backdrop.at(shading.camera.x(column + 0.5), shading.camera.y(row + 0.5));
+  };
+  own.pixels.resize(4 * static_cast<std::size_t>(width));
+  for (int column = 0; column < width; ++column) {
+    float* const out = &own.pixels[4 * static_cast<std::size_t>(column)];
+    std::ranges::copy(behind_at(column), out);
+    out[3] = 0;
+  }
+  view.see(row, own.samples);
+  const std::vector<MeshView::Fragment>& seen = own.samples.fragments;
+  for (std::size_t first = 0; first < seen.size(); first += c.count) {
+    c.count = std::min(chunk_size, seen.size() - first);
+    c.whole_blocks = (c.count + block - 1) / block * block;
+    for (std::size_t i = 0; i < c.whole_blocks; ++i) {
+      const MeshView::Fragment& at = seen[first + std::min(i, c.count - 1)];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        c.position[axis][i] = real(at.position[axis]);
+        c.normal[axis][i] = real(at.normal[axis]);
+        c.viewer[axis][i] = real(at.viewer[axis]);
+      }
+      for (std::size_t axis = 0; axis < 2; ++axis) c.uv[axis][i] = real(at.uv[axis]);
+    }
+    shade(shading, c);
+    for (std::size_t i = 0; i < c.count; ++i) {
+      const MeshView::Fragment& at = seen[first + i];
+      const vec3 behind = narrowed(behind_at(at.column)),
+                 more = real(at.share) * (seen_at(shading, c, i, at.column, row, behind) - behind);
+      float* const out = &own.pixels[4 * static_cast<std::size_t>(at.column)];
+      out[0] += float(more.x);
+      out[1] += float(more.y);
+      out[2] += float(more.z);
+      out[3] += float(at.share);
+    }
+  }
+  for (int x = 0; x < width; x += static_cast<int>(chunk_size)) {
+    const std::size_t count = std::min(chunk_size, static_cast<std::size_t>(width - x));
+    target.put(x, row, count, [&](float* pixels) {
+      std::copy_n(&own.pixels[4 * static_cast<std::size_t>(x)], 4 * count, pixels);
+    });
   }
 }
 
@@ -370,6 +438,9 @@ void draw(const Scene& scene, const Environment* environment, unsigned threads, 
   Shading shading(lit, environment);
   if (lit.refined && environment != nullptr)
     shading.samples = &environment->samples(lit.bright_apart, threads);
+  std::optional<MeshView> mesh;
+  if (lit.mesh) mesh.emplace(*lit.mesh, shading.camera, lit.width, lit.height);
+  std::vector<MeshRow> mesh_rows(lit.mesh ? threads : 0);
   const auto draw_row = [&](int row, Chunk& c) {
     const Camera::Span span = shading.camera.covered(row), whole = shading.camera.whole(row);
     draw_beside(shading, 0, span.first, row, target);
@@ -388,8 +459,11 @@ void draw(const Scene& scene, const Environment* environment, unsigned threads, 
   parallel_chunks(static_cast<std::size_t>(scene.height), threads, tile_rows,
                   [&](std::size_t begin, std::size_t end, unsigned worker) {
                     if (!chunks[worker]) chunks[worker] = std::make_unique<Chunk>();
-                    for (std::size_t row = begin; row < end; ++row)
-                      draw_row(static_cast<int>(row), *chunks[worker]);
+                    for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+                      if (mesh)
+                        draw_mesh_row(shading, *mesh, row, mesh_rows[worker], *chunks[worker], target);
+                      else
+                        draw_row(row, *chunks[worker]);
                     if (rows_done) rows_done(end - begin, worker);
                   });
 }

@@ -96,14 +96,14 @@ std::array<double, 2> texture_place(Shape shape, const Vec3& p) {
   return {0.5 + std::atan2(p[0], p[2]) / (2 * pi), std::atan2(std::hypot(p[0], p[2]), p[1]) / pi};
 }
 
-std::array<double, 4> emission_at(const Scene& scene, const Vec3& position) {
+std::array<double, 4> emission_at(const Scene& scene, const std::array<double, 2>& place) {
   const Vec3& own = scene.surface.emission;
   std::array<double, 4> out{own[0], own[1], own[2], scene.surface.occlusion};
   const SurfaceTextures::Quantities has = scene.textured();
   if (!has.emission && !has.occlusion) return out;
-  const auto [u, v] = texture_place(scene.shape, position);
-  const std::array<double, 4> factors = texel(scene.textures->emission, u, v);
-  for (std::size_t i = 0; i < 4; ++i) out[i] *= factors[i];
+  const std::array<double, 4> factors = texel(scene.textures->emission, place[0], place[1]);
+  for (std::size_t i = 0; i < 4; ++i)
+    if (i < 3 ? has.emission : has.occlusion) out[i] *= factors[i];
   return out;
 }
 

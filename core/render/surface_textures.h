@@ -40,9 +40,9 @@ std::array<double, 4> texel(const Image& texture, double u, double v);
 /// the sphere it lies in latitude and longitude, with its middle at +z.
 std::array<double, 2> texture_place(Shape shape, const Vec3& position);
 
-/// What the surface sends out by itself at a position on the object and, as the fourth number, the share of the
+/// What the surface sends out by itself at a place in its textures (u and v) and, as the fourth number, the share of the
 /// light of hemispheres and environment that reaches it there.
-std::array<double, 4> emission_at(const Scene& scene, const Vec3& position);
+std::array<double, 4> emission_at(const Scene& scene, const std::array<double, 2>& place);
 
 /// The values of a model's parameters at a texel.
 class TexturedValues {

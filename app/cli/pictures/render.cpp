@@ -26,7 +26,9 @@
 #include "core/render/display.h"
 #include "core/render/glsl/gl_runner.h"
 #include "core/render/ground_bounce.h"
+#include "core/render/mesh_view.h"
 #include "core/render/reference.h"
+#include "core/scene/gltf.h"
 
 namespace etak::cli {
 namespace {
@@ -249,6 +251,23 @@ void check_picture_name(const RenderArguments& arguments) {
                     "-o FILE, and neither --sheet nor --frames");
   if (arguments.reference && arguments.device == "gl")
     throw Error::at("--reference", "is not drawn with gl", "--device cpu");
+  for (const auto& [option, given] :
+       {std::pair("--reference", arguments.reference), std::pair("--device gl", arguments.device == "gl"),
+        std::pair("--sheet", arguments.sheet), std::pair("--quad", arguments.scene.quad)})
+    if (given && !arguments.mesh.empty())
+      throw Error::at("--mesh", std::string("beside ") + option + ", which draws spheres and quads alone",
+                      "one of them");
+}
+
+void lay_mesh(const std::string& path, Scene& scene) {
+  if (path.empty()) return;
+  if (!is_gltf_file(path)) throw Error::at(printable(path, 200), "no glTF scene", ".gltf or .glb");
+  GltfOptions options;
+  options.mesh = true;
+  Mesh mesh = read_gltf(path, options).mesh;
+  if (scene.textures && !mesh.has_uvs)
+    throw Error::at(path, "a mesh without UVs", "TEXCOORD_0 in each primitive, by which textures are laid");
+  scene.mesh = std::make_shared<const Mesh>(in_place_of_ball(std::move(mesh), path));
 }
 
 //   environment   of the scene; null: made here, for all objects of a sweep
@@ -258,6 +277,7 @@ Image draw_one(RenderArguments& arguments, unsigned threads, Scene& scene, Scene
   if (arguments.reference && scene.textured().values())
     throw Error::at("--reference", "draws no textures of diffuse colour, F0 and gloss",
                     "no --texture and no --gloss-texture");
+  lay_mesh(arguments.mesh, scene);
   tell_held_gloss(scene, notes);
   stats.subject = notes.subject;
   const auto begin = Clock::now();

@@ -12,7 +12,7 @@ namespace etak::cli {
 void add_render(CommandLine& line) {
   const auto arguments = std::make_shared<RenderArguments>();
   arguments->scene.standard_lights = studio_lights;
-  Command verb = line.verb("render", "a picture of a material on a sphere or quad");
+  Command verb = line.verb("render", "a picture of a material on a sphere, quad or mesh");
   add_scene_options(verb, arguments->scene);
   verb.option("-o,--output", arguments->picture, "picture to write: .png (8 bit) or .exr (linear)")
       .value_name("FILE");
@@ -24,6 +24,12 @@ void add_render(CommandLine& line) {
       .value_name("FILE");
   verb.option("--gloss-texture", arguments->scene.gloss_texture,
               "picture of F0 and, in its fourth channel, of the gloss, as etak pack writes it")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--mesh", arguments->mesh,
+              "a glTF scene of triangles with normals in place of the sphere, moved and scaled to its size; "
+              "its own "
+              "materials are not looked at, and it casts no shadow")
       .reads_file()
       .value_name("FILE");
   verb.option("--sweep", arguments->sweep,

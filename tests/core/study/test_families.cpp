@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/number.h"
+#include "core/light/rows.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
 #include "core/study/families/families.h"
@@ -30,6 +32,11 @@ double error(const ErrorTimeTable& in, std::string_view row, std::string_view me
   REQUIRE(r != in.rows.end());
   REQUIRE(m != in.metrics.end());
   return r->errors[static_cast<std::size_t>(m - in.metrics.begin())];
+}
+
+// What etak models claims of a light or a curve.
+std::string_view claim_of(std::string_view id) {
+  return std::ranges::find(light_rows(), id, &LightRow::id)->note;
 }
 
 // What every family promises: a base that is a row, as many errors as metrics, finite, times for the rows that its
@@ -200,6 +207,9 @@ TEST_CASE("hemispheres: mean albedo errors, and the share of the upper hemispher
   CHECK(error(share, "wide", "rms_0.25") == Approx(0.18).margin(0.006));
   CHECK(error(share, "corrected", "rms_1") == Approx(0.026).margin(0.024));
   CHECK(error(share, "wide", "rms_1") == Approx(0.013).margin(0.013));
+  CHECK(contains(claim_of("hemispheres-specular-wide"),
+                 "share " + number(error(share, "wide", "rms_0.75"), 2) + " at g = 0.75 (" +
+                     number(error(share, "corrected", "rms_0.75"), 2)));
   CHECK(error(share, "printed", "max") > 1);
   CHECK(error(share, "corrected", "max") <= 0.5);
   CHECK(contains(family.notes[0], "1 against 0.0069"));
@@ -213,6 +223,9 @@ TEST_CASE("transfer: errors of the shortcuts in codes and in linear light, as pr
   CHECK(error(encode, "power_1_22", "max_codes") == Approx(8.5).margin(0.05));
   CHECK(error(encode, "power_045", "max_codes") == Approx(9.0).margin(0.05));
   CHECK(error(encode, "root", "max_codes") == Approx(9.5).margin(0.05));
+  CHECK(contains(claim_of("power-2.2"), "+8.5 codes"));
+  CHECK(contains(claim_of("power-0.45"), "+9.0 codes"));
+  CHECK(contains(claim_of("sqrt"), "-9.5 codes"));
   CHECK(error(encode, "power_1_22", "codes_at_004") == Approx(2.7).margin(0.05));
   CHECK(error(encode, "power_045", "codes_at_004") == Approx(3.6).margin(0.05));
   CHECK(error(encode, "root", "codes_at_004") == Approx(-5.3).margin(0.05));
