@@ -113,7 +113,7 @@ TEST_CASE("a textured square as a mesh is the quad, turned too, and from both si
       for (Scene* each : {&mesh, &quad}) {
         each->perspective = perspective;
         each->view = View{.turn_deg = turn, .rise_deg = 10};
-        each->textures = surface_textures(&picture, nullptr, each->surface);
+        each->textures = surface_textures({.body = &picture});
       }
       const Difference off = difference(drawn_mesh(mesh), drawn_mesh(quad));
       INFO(turn << perspective << " dE " << off.delta_e << ", coverage " << off.coverage);
