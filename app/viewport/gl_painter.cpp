@@ -14,6 +14,7 @@
 #include "core/base/parallel.h"
 #include "core/render/ambient/ambient.h"
 #include "core/render/ambient/light_samples.h"
+#include "core/render/surface_textures.h"
 
 namespace etak {
 namespace {
@@ -40,20 +41,21 @@ struct GlPainter::State {
   std::shared_ptr<const OcioShader> display;
   std::vector<std::unique_ptr<GlTexture>> tables;
 
-  // The texture pairs of both sides of a comparison; the newest comes first.
-  struct Pair {
+  // The textures of both sides of a comparison, by their samplers; the newest come first.
+  struct Laid {
     std::shared_ptr<const SurfaceTextures> of;
-    std::unique_ptr<GlTexture> body, gloss;
+    std::vector<std::pair<const char*, std::unique_ptr<GlTexture>>> samplers;
   };
-  std::deque<Pair> pairs;
+  std::deque<Laid> laid;
 
-  const Pair& take_textures(const std::shared_ptr<const SurfaceTextures>& wanted) {
-    for (const Pair& pair : pairs)
-      if (pair.of == wanted) return pair;
-    if (pairs.size() >= 2) pairs.pop_back();
-    pairs.push_front({wanted, std::make_unique<GlTexture>(gl, wanted->body, false),
-                      std::make_unique<GlTexture>(gl, wanted->gloss, false)});
-    return pairs.front();
+  const Laid& take_textures(const std::shared_ptr<const SurfaceTextures>& wanted) {
+    for (const Laid& each : laid)
+      if (each.of == wanted) return each;
+    if (laid.size() >= 2) laid.pop_back();
+    Laid& out = laid.emplace_front(Laid{wanted, {}});
+    for (const auto& [name, texture] : samplers_of(*wanted))
+      out.samplers.emplace_back(name, std::make_unique<GlTexture>(gl, *texture, false));
+    return out;
   }
 
   State() { gl.glGenVertexArrays(1, &no_vertices); }
@@ -101,8 +103,8 @@ struct GlPainter::State {
         lobe_samples = std::make_unique<GlTexture>(gl, table->samples.picture, false);
       lobe = table;
     }
-    // The pair is made before the other textures are bound, because making a texture binds it to unit 0.
-    const Pair* pair = scene.textures ? &take_textures(scene.textures) : nullptr;
+    // They are made before the other textures are bound, because making a texture binds it to unit 0.
+    const Laid* surface = scene.textures ? &take_textures(scene.textures) : nullptr;
     int unit = 0;
     const auto bind = [&](GlTexture& texture, const std::string& sampler) {
       texture.bind(unit);
@@ -120,10 +122,8 @@ struct GlPainter::State {
       bind(environment_texture(behind->dull), "backdrop_dull");
       program.set({"backdrop_share", 1, 1, false, {static_cast<float>(behind->share)}});
     }
-    if (pair != nullptr) {
-      bind(*pair->body, "surface_body");
-      bind(*pair->gloss, "surface_gloss");
-    }
+    if (surface != nullptr)
+      for (const auto& [name, texture] : surface->samplers) bind(*texture, name);
     for (std::size_t i = 0; i < tables.size(); ++i) bind(*tables[i], display->tables[i].sampler);
   }
 

@@ -13,6 +13,8 @@ namespace etak {
 namespace {
 
 constexpr std::size_t most_numbers = 24;
+constexpr Parameter mean_of_fresnel{"f_mean", "mean of F over a diffuse hemisphere", "", 0, 1, 0, Role::other,
+                                    true};
 
 void add_files(std::span<const std::string_view> from, std::vector<std::string_view>& files) {
   for (const std::string_view file : from)
@@ -129,8 +131,14 @@ void compose(const Term& distribution, const Term& fresnel, const Term& visibili
                            evaluators::compiled_name(fresnel.id) + '_' +
                            evaluators::compiled_name(visibility.id);
   out.compiled = find_compiled(name);
+  out.derived.assign(distribution.derived.begin(), distribution.derived.end());
+  // F's mean is computed beforehand where no texture can hold what it is computed from.
+  const bool mean_is_known =
+      visibility.compensated &&
+      std::ranges::any_of(fresnel.parameters, [](const Parameter& p) { return p.role == Role::n; });
+  if (mean_is_known) out.derived.push_back(mean_of_fresnel);
   std::vector<Parameter> numbers = out.parameters;
-  numbers.insert(numbers.end(), distribution.derived.begin(), distribution.derived.end());
+  numbers.insert(numbers.end(), out.derived.begin(), out.derived.end());
   out.compiled.distribution = piece(distribution, numbers);
   out.compiled.fresnel = piece(fresnel, numbers);
   out.compiled.visibility = piece(visibility, numbers);
@@ -145,23 +153,24 @@ void compose(const Term& distribution, const Term& fresnel, const Term& visibili
     return std::string(fresnel.entry) + '(' + names(fresnel.parameters, "", ", ") + cosine + ")";
   };
   std::string mean;
-  if (visibility.compensated)
+  if (mean_is_known)
+    mean = ", " + std::string(mean_of_fresnel.name);
+  else if (visibility.compensated)
     mean = ",\n                         mean_fresnel(" +
            joined(std::array{1, 2, 3, 4}, ",\n                                      ",
                   [&](int i) { return fresnel_at("mean_cosine_" + std::to_string(i)); }) +
            ")";
-  out.text = "vec3 " + out.entry + "(Angles a" + typed_names(out.parameters) +
-             typed_names(distribution.derived) + ") {\n" + "  return " +
-             (visibility.compensated ? "brdf_compensated(" : "brdf_microfacet(") + fresnel_at("a.lh") + mean +
-             ",\n                         " + std::string(distribution.entry) + '(' +
-             names(distribution.parameters, "", ", ") + names(distribution.derived, "", ", ") +
+  out.text = "vec3 " + out.entry + "(Angles a" + typed_names(out.parameters) + typed_names(out.derived) +
+             ") {\n" + "  return " + (visibility.compensated ? "brdf_compensated(" : "brdf_microfacet(") +
+             fresnel_at("a.lh") + mean + ",\n                         " + std::string(distribution.entry) +
+             '(' + names(distribution.parameters, "", ", ") + names(distribution.derived, "", ", ") +
              "a.nh, a.s2),\n                         " + std::string(visibility.entry) + "(a" +
              names(visibility.parameters, ", ", "") + "));\n}\n";
 
   Model& model = out.model;
   model.kind = ModelKind::specular;
   model.parameters = out.parameters;
-  model.derived = distribution.derived;
+  model.derived = out.derived;
   model.files = out.files;
   model.entry = out.entry;
   model.text = out.text;
@@ -187,6 +196,13 @@ void Model::derive(const double* values, double* out) const {
   const std::vector<std::size_t>& at = compiled->distribution.at;
   for (std::size_t i = 0; i < number_count(distribution->parameters); ++i) own[i] = values[at[i]];
   evaluators::derive(*distribution, own, out);
+  if (derived.back().name == mean_of_fresnel.name)
+    evaluate_piece<double>(compiled->fresnel, compiled->fresnel.f64->mean, {0, 0, 1, 0, 0, 1}, values,
+                           out + number_count(distribution->derived));
+}
+
+bool Model::derives_from_width() const {
+  return distribution != nullptr && !distribution->derived.empty();
 }
 
 void Model::f64(const Directions& d, const double* values, double rgb[3]) const {

@@ -33,7 +33,7 @@ struct ComposedModel {
   Model model;
   Model::Compiled compiled;
   std::string id, title, source, entry, text;
-  std::vector<Parameter> parameters;
+  std::vector<Parameter> parameters, derived;
   std::vector<std::string_view> files;
 };
 

@@ -114,6 +114,7 @@ struct Model {
   /// Computes the numbers of `derived` from the parameters: constants, such as that of ABC, that are too
   /// expensive for a GPU to compute at each pixel.
   void derive(const double* values, double* out) const;
+  bool derives_from_width() const;  // so that no texture can hold the width
 
   struct Compiled;
   const Compiled* compiled = nullptr;

@@ -227,9 +227,13 @@ std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, 
     members.push_back({"pbrMetallicRoughness", metallic_roughness_of(s, v, pictures, used)});
     if (v.metallic == 0) extensions = dielectric_extensions(s, v, pictures, used);
   }
+  if (!pictures.occlusion.empty())
+    members.push_back({"occlusionTexture", used.pictures.texture(pictures.occlusion, s.id + " occlusion")});
   if (s.emission != LinearRgb{}) {
     const auto [color, strength] = emission_parts(s.emission);
     members.push_back({"emissiveFactor", three(color)});
+    if (!pictures.emissive.empty())
+      members.push_back({"emissiveTexture", used.pictures.texture(pictures.emissive, s.id + " emission")});
     if (strength > 1) {
       used.emissive_strength = true;
       extensions.push_back(

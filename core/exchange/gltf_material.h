@@ -31,6 +31,8 @@ enum class GltfContainer {
 ///   metallic_roughness   linear: green is the roughness, blue is full
 ///   specular_color       sRGB: F0 itself. The material is then a dielectric whose index has the F0 1
 ///                        (KHR_materials_ior 0)
+///   emissive             sRGB, which the surface's emission multiplies
+///   occlusion            linear: red is the share of light from all around that reaches the surface
 ///   opacity_alone        base_color is white, and the number of the colour holds
 ///   alpha_mode           "OPAQUE", "MASK" or "BLEND", where the opacity stands in base_color; else empty
 ///   alpha_cutoff         of the mode "MASK"
@@ -39,7 +41,11 @@ struct GltfPictures {
   bool opacity_alone = false;
   std::string alpha_mode;
   double alpha_cutoff = 0.5;
-  bool empty() const { return base_color.empty() && metallic_roughness.empty() && specular_color.empty(); }
+  std::string emissive{}, occlusion{};
+  bool empty() const {
+    return base_color.empty() && metallic_roughness.empty() && specular_color.empty() && emissive.empty() &&
+           occlusion.empty();
+  }
 };
 
 /// A glTF 2.0 document: a row of unit spheres, one per surface, each with its material, so that a viewer

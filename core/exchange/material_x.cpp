@@ -97,6 +97,7 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const Mat
   images.add(name, "base_metalness", "float", pictures.base_metalness);
   images.add(name, "specular_roughness", "float", pictures.specular_roughness);
   images.add(name, "geometry_opacity", "float", pictures.geometry_opacity);
+  images.add(name, "emission_color", "color3", pictures.emission_color);
   append(out, "  <open_pbr_surface name=\"", name,
          "_surface\" type=\"surfaceshader\" nodedef=\"ND_open_pbr_surface_surfaceshader\">\n",
          images.inputs());
@@ -116,7 +117,7 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const Mat
   if (s.emission != LinearRgb{}) {
     const auto [color, strength] = emission_parts(s.emission);
     node.input("emission_luminance", strength);
-    node.input("emission_color", color);
+    if (pictures.emission_color.empty()) node.input("emission_color", color);
   }
   append(out, "  </open_pbr_surface>\n  <surfacematerial name=\"", name,
          "\" type=\"material\">\n    <input name=\"surfaceshader\" type=\"surfaceshader\" nodename=\"", name,

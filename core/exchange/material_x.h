@@ -11,10 +11,10 @@ namespace etak {
 
 /// Pictures in place of numbers of a surface, as files beside the document. Where a name is empty, the number
 /// holds.
-///   base_color                                               sRGB
+///   base_color, emission_color                               sRGB
 ///   base_metalness, specular_roughness, geometry_opacity     one channel, linear
 struct MaterialXPictures {
-  std::string base_color, base_metalness, specular_roughness, geometry_opacity;
+  std::string base_color, base_metalness, specular_roughness, geometry_opacity, emission_color{};
 };
 
 /// A MaterialX 1.39 document with one surfacematerial of one open_pbr_surface (OpenPBR 1.1) per surface: a

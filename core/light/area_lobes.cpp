@@ -13,7 +13,9 @@ namespace {
 constexpr AreaLobe fits[] = {
 #include "area_lobe_rows.inc"
 };
-static_assert(std::size(fits) == std::size_t{3} * area_lobe_rows * area_lobe_columns);
+static_assert(std::size(fits) == std::size_t{4} * area_lobe_rows * area_lobe_columns);
+// Below this F0 a lobe's F rises so far towards grazing angles that it has a fit of its own.
+constexpr double most_dielectric = 0.12;
 constexpr double least_roughness = 0.1;  // of the first row; below it the lobe only grows narrower
 
 AreaLobe mixed(const AreaLobe& p, const AreaLobe& q, double share) {
@@ -70,7 +72,11 @@ double area_lobe_cosine(int column) {
 AreaFit area_fit(const Model& model, const std::vector<double>& values) {
   const std::string_view id = model.id, d = model.distribution != nullptr ? model.distribution->id : "";
   const double alpha = std::clamp(width_of(model, values), 1e-4, 1.0);
-  if (d == "ggx") return {0, alpha, true};
+  if (d == "ggx") {
+    double f0[3];
+    model.fresnel->f64({0, 0, 1, 0, 0, 1}, values.data(), f0);
+    return {(f0[0] + f0[1] + f0[2]) / 3 < most_dielectric ? 3 : 0, alpha, true};
+  }
   if (d.starts_with("beckmann") || id.starts_with("cook-torrance") || id == "schueler-full")
     return {1, alpha, true};
   if (d == "phong" || d == "schueler" || id.starts_with("schueler")) return {2, alpha, true};
@@ -78,7 +84,7 @@ AreaFit area_fit(const Model& model, const std::vector<double>& values) {
 }
 
 std::string_view area_family_name(int family) {
-  constexpr std::string_view names[] = {"GGX", "Beckmann", "Phong"};
+  constexpr std::string_view names[] = {"GGX", "Beckmann", "Phong", "GGX"};
   return names[family];
 }
 
@@ -155,19 +161,23 @@ double area_density(const Light& light, const Vec3& position, const Vec3& direct
 
 AreaCut area_cut(const Light& light) {
   AreaCut out;
-  if (light.kind == LightKind::disc) {
-    constexpr int sides = 16;
-    const double step = 2 * std::numbers::pi / sides, radius = std::sqrt(step / std::sin(step));
-    const auto rim = [&](int i) {
-      return std::array{radius * std::cos(i * step), radius * std::sin(i * step)};
-    };
-    for (int i = 0; i < sides; i += 2) out.insert(out.end(), {{0, 0}, rim(i), rim(i + 1), rim(i + 2)});
-    return out;
-  }
   const double half = std::hypot(light.width, light.height) / (2 * std::numbers::sqrt2),
                away = std::sqrt(dot(light.position, light.position));
   const double degrees = 2 * std::atan2(half, away) * 180 / std::numbers::pi;
-  const int side = degrees < 8 ? 1 : degrees < 25 ? 2 : 3;
+  if (light.kind == LightKind::disc) {
+    constexpr int sides = 16;
+    const double step = 2 * std::numbers::pi / sides, radius = std::sqrt(step / std::sin(step));
+    const auto rim = [&](int i, double share) {
+      return std::array{share * radius * std::cos(i * step), share * radius * std::sin(i * step)};
+    };
+    const double inner = degrees < 25 ? 1 : 0.55;
+    for (int i = 0; i < sides; i += 2)
+      out.insert(out.end(), {{0, 0}, rim(i, inner), rim(i + 1, inner), rim(i + 2, inner)});
+    for (int i = 0; i < sides && inner < 1; ++i)
+      out.insert(out.end(), {rim(i, inner), rim(i, 1), rim(i + 1, 1), rim(i + 1, inner)});
+    return out;
+  }
+  const int side = degrees < 8 ? 1 : degrees < 15 ? 2 : degrees < 35 ? 3 : degrees < 70 ? 4 : 5;
   const auto corner = [side](int i, int j) { return std::array{2.0 * i / side - 1, 2.0 * j / side - 1}; };
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i)

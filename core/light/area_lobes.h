@@ -26,7 +26,7 @@ double area_lobe_alpha(int row);
 double area_lobe_cosine(int column);
 
 /// The lobe of a model for area lights.
-///   family   row of fits: 0 GGX, 1 Beckmann, 2 Phong
+///   family   row of fits: 0 GGX, 1 Beckmann, 2 Phong, 3 GGX of a small F0
 ///   alpha    its width, as alpha of that family
 ///   own      whether its distribution is that of the fit. Any other one is lit by the family that is nearest to it,
 ///            which costs accuracy where a light is large and the lobe narrow
@@ -65,7 +65,7 @@ Vec3 area_place(const Light& light, double x, double y);
 double area_density(const Light& light, const Vec3& position, const Vec3& direction);
 
 /// How an area light is cut into pieces, each of which is lit as a whole. Every four points are a piece's corners, in
-/// units of its axes. A rectangle has as many pieces as its size, seen from the object, asks for: 1 to 9. A disc is
+/// units of its axes. A rectangle has as many pieces as its size, seen from the object, asks for: 1 to 16. A disc is
 /// eight sectors of a polygon of 16 sides and the disc's area.
 using AreaCut = std::vector<std::array<double, 2>>;
 AreaCut area_cut(const Light& light);

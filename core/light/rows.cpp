@@ -37,10 +37,10 @@ constexpr LightRow rows[] = {
     {"hemispheres-specular-wide", "two hemispheres, specular, wide transition",
      "etak: width min(1, 1.8 2^(-6 g))", Kind::hemispheres, "upper, lower (radiance), axis; K, g",
      hemispheres, "hemisphere_specular_wide",
-     "never a step; rms error of the share 0.025 at g = 1 (0.050 corrected)"},
+     "never a step; rms error of the share 0.065 at g = 0.75 (0.13 corrected)"},
     {"hemispheres-specular-printed", "two hemispheres, specular, as printed", "Schueler 2009, as printed",
      Kind::hemispheres, "upper, lower (radiance), axis; K, g", hemispheres, "hemisphere_specular_printed",
-     "negative below the horizon, F too high by up to 0.99 on rough surfaces"},
+     "negative below the horizon, F too high by up to 0.98 on rough surfaces"},
     {"environment", "lat-long image", "Schueler 2009, possible extensions", Kind::environment, "file, scale",
      "", "",
      "irradiance times the body's albedo; albedo of the model times round lobes that stand for its own: "

@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -41,8 +42,19 @@ double opacity_by_mode(const ProjectMaterial& material) {
 }  // namespace
 
 std::string_view name(Channel channel) {
-  constexpr std::array<std::string_view, all_channels.size()> names{"diffuse", "specular", "gloss", "alpha"};
+  constexpr std::array<std::string_view, all_channels.size()> names{"diffuse", "specular", "gloss",
+                                                                    "alpha",   "emission", "occlusion"};
   return names[static_cast<std::size_t>(channel)];
+}
+
+LinearRgb standard_emission(const ProjectMaterial& material) {
+  return material.texture(Channel::emission) ? LinearRgb{1, 1, 1} : LinearRgb{};
+}
+
+void set_texture(ProjectMaterial& material, Channel channel, std::optional<ImageSource> source) {
+  const bool standard = material.emission == standard_emission(material);
+  material.texture(channel) = std::move(source);
+  if (standard) material.emission = standard_emission(material);
 }
 
 const ProjectMaterial* Project::find(std::string_view material) const {
@@ -160,7 +172,8 @@ void take_numbers(const ProjectMaterial& material, SurfaceValues& surface) {
   surface.diffuse = vec(material.diffuse);
   surface.gloss = material.gloss;
   surface.opacity = opacity_by_mode(material);
-  surface.emission = vec(material.emission);
+  // Where the texture is not seen, nothing is sent out.
+  surface.emission = material.texture(Channel::emission) ? Vec3{} : vec(material.emission);
   surface.occlusion = material.occlusion;
 }
 
@@ -212,7 +225,9 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
     row.alpha = source_of(m, Channel::alpha, {m.alpha, m.alpha, m.alpha}, remarks);
     row.alpha_mode = m.alpha_mode;
     row.alpha_cutoff = m.alpha_cutoff;
-    if (m.emission != LinearRgb{}) remarks.push_back(m.name + ": its emission is in none of the textures");
+    for (const Channel channel : {Channel::emission, Channel::occlusion})
+      if (m.texture(channel) || (channel == Channel::emission && m.emission != LinearRgb{}))
+        remarks.push_back(m.name + ": its " + std::string(name(channel)) + " is in none of the textures");
     out.materials.push_back(std::move(row));
   }
   std::sort(out.materials.begin(), out.materials.end(),

@@ -35,11 +35,16 @@ struct MeasuredF0 {
 };
 
 /// The quantities of a material that a texture can give.
-enum class Channel { diffuse, specular, gloss, alpha };
-inline constexpr std::array all_channels{Channel::diffuse, Channel::specular, Channel::gloss, Channel::alpha};
+enum class Channel { diffuse, specular, gloss, alpha, emission, occlusion };
+inline constexpr std::array all_channels{Channel::diffuse, Channel::specular, Channel::gloss,
+                                         Channel::alpha,   Channel::emission, Channel::occlusion};
 std::string_view name(Channel channel);  // "diffuse", ...
+inline bool is_color(Channel channel) {
+  return channel == Channel::diffuse || channel == Channel::specular || channel == Channel::emission;
+}
 
-/// One material of a project. When the project is packed, a texture replaces the number of its channel.
+/// One material of a project. A texture replaces the number of its channel, but for emission and occlusion, which
+/// it multiplies, as in glTF.
 ///   specular     F0, linear sRGB, not clipped; where `measured` is set, resolve() sets it, whatever the file
 ///                holds
 ///   parameters   parameters of the models by name, where they differ from what the other values give:
@@ -64,6 +69,12 @@ struct ProjectMaterial {
   }
   std::optional<ImageSource>& texture(Channel channel) { return textures[static_cast<std::size_t>(channel)]; }
 };
+
+/// The emission of a material of which nothing is said: black, but white under a texture.
+LinearRgb standard_emission(const ProjectMaterial& material);
+
+/// Gives a channel a picture, or none. A standard emission stays one.
+void set_texture(ProjectMaterial& material, Channel channel, std::optional<ImageSource> source);
 
 /// Two sides, A and B, in one picture, so that two materials or models can be compared.
 ///   pinned   the material of side B, as it was when it was pinned; none: the selected material

@@ -10,11 +10,13 @@
 #include "core/base/system.h"
 #include "core/base/text/ascii.h"
 #include "core/base/text/free_names.h"
+#include "core/color/srgb.h"
 #include "core/exchange/engine_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
 #include "core/image/files/png.h"
 #include "core/image/linear_tables.h"
+#include "core/math/mat3.h"
 #include "core/project/project_pictures.h"
 #include "core/scene/material_texels.h"
 
@@ -142,9 +144,36 @@ Image8 gltf_base(const ProjectMaterial& m, const Texels& texels, const MaterialP
   return out;
 }
 
+// The emission of the texels, which ends at 1 in a file; what is above goes into that of the surface. Empty where there
+// is no texture, or nothing is sent out.
+//   times   a colour of at most 1 that the texels take
+std::string emission_picture(const ProjectMaterial& m, const PictureDoor& door, const LinearRgb& times,
+                             ExportSurface& surface) {
+  const std::optional<Image> picture = light_picture(m, Channel::emission, door);
+  if (!picture || surface.emission == LinearRgb{}) return {};
+  const double largest =
+      std::max(1.0, double{*std::max_element(picture->values.begin(), picture->values.end())});
+  Image8 out(picture->width, picture->height, 3);
+  for (std::size_t i = 0; i < out.values.size(); ++i)
+    out.values[i] = srgb_u8(double{picture->values[i]} / largest * vec(times)[i % 3]);
+  surface.emission = to_rgb(scaled(vec(surface.emission), largest));
+  return png_of(out, true);
+}
+
+std::string occlusion_picture(const ProjectMaterial& m, const PictureDoor& door) {
+  const std::optional<Image> picture = light_picture(m, Channel::occlusion, door);
+  if (!picture) return {};
+  Image8 out(picture->width, picture->height, 1);
+  for (std::size_t i = 0; i < out.values.size(); ++i)
+    out.values[i] = to_code(static_cast<float>(m.occlusion) * picture->values[i]);
+  return png_of(out, false);
+}
+
 GltfPictures gltf_pictures(const ProjectMaterial& m, const Texels& texels, const MaterialPair& pair,
-                           Changes& changes) {
+                           const PictureDoor& door, ExportSurface& surface, Changes& changes) {
   GltfPictures out;
+  out.emissive = emission_picture(m, door, {1, 1, 1}, surface);
+  out.occlusion = occlusion_picture(m, door);
   const bool colored = has(m, Channel::diffuse) || (has(m, Channel::specular) && m.diffuse != LinearRgb{});
   if (colored || has_opacity(m)) {
     out.base_color = png_of(gltf_base(m, texels, pair, colored, changes), true);
@@ -192,8 +221,15 @@ void take_metal_rough(const Texels& texels, MaterialXBytes& out, Changes& change
 }
 
 MaterialXBytes material_x_pictures(const ProjectMaterial& m, const Texels& texels, const MaterialPair& pair,
-                                   Changes& changes) {
+                                   const PictureDoor& door, ExportSurface& surface, Changes& changes) {
   MaterialXBytes out;
+  if (m.texture(Channel::emission) && surface.emission != LinearRgb{}) {
+    // The one number beside the picture is the luminance, so the picture takes the colour.
+    const auto [color, strength] = emission_parts(surface.emission);
+    surface.emission = {strength, strength, strength};
+    out.emission_color = emission_picture(m, door, color, surface);
+  }
+  if (m.texture(Channel::occlusion)) surface.notes.emplace_back("OpenPBR has no input for its occlusion");
   if (has(m, Channel::specular)) {
     take_metal_rough(texels, out, changes);
   } else if (has(m, Channel::diffuse)) {
@@ -241,6 +277,7 @@ class PictureFolder {
     one(pictures.base_metalness, "base_metalness");
     one(pictures.specular_roughness, "specular_roughness");
     one(pictures.geometry_opacity, "geometry_opacity");
+    one(pictures.emission_color, "emission_color");
   }
 
  private:
@@ -289,9 +326,9 @@ std::vector<Changes> export_materials(std::span<const ProjectMaterial> materials
     const MaterialPair pair = pictures_of(m, library, door);
     const Texels texels(m, surfaces.back(), pair, fit);
     if (form == ExportForm::material_x)
-      beside.back() = material_x_pictures(m, texels, pair, of_pictures[i]);
+      beside.back() = material_x_pictures(m, texels, pair, door, surfaces.back(), of_pictures[i]);
     else
-      inside.back() = gltf_pictures(m, texels, pair, of_pictures[i]);
+      inside.back() = gltf_pictures(m, texels, pair, door, surfaces.back(), of_pictures[i]);
     for (const Change& change : of_pictures[i]) surfaces.back().notes.push_back(one_line(change));
   }
   std::string document;

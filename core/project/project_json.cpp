@@ -133,9 +133,9 @@ class Reader {
     if (node.has("gloss")) out.gloss = ranged(node.at("gloss"), 0, 1);
     if (node.has("roughness")) out.gloss = Gloss::of_roughness(ranged(node.at("roughness"), 0, 1));
     if (node.has("alpha")) out.alpha = ranged(node.at("alpha"), 0, 1);
-    if (node.has("emission")) out.emission = color(node.at("emission"), 0);
     if (node.has("occlusion")) out.occlusion = ranged(node.at("occlusion"), 0, 1);
     if (node.has("textures")) textures(node.at("textures"), out);
+    out.emission = node.has("emission") ? color(node.at("emission"), 0) : standard_emission(out);
     if (node.has("alpha_mode")) out.alpha_mode = read_alpha_mode(node.at("alpha_mode"));
     if (node.has("alpha_cutoff")) out.alpha_cutoff = ranged(node.at("alpha_cutoff"), 0, 1);
     models(node, out);
@@ -167,14 +167,14 @@ class Reader {
   }
 
   void textures(const JsonNode& node, ProjectMaterial& out) const {
-    node.expect_object({"diffuse", "specular", "gloss", "alpha"});
+    node.expect_object({"diffuse", "specular", "gloss", "alpha", "emission", "occlusion"});
     for (const Channel channel : all_channels) {
       if (!node.has(name(channel))) continue;
       const JsonNode picture = node.at(name(channel));
       picture.expect_object({"image", "channels", "space"});
-      const bool color = channel == Channel::diffuse || channel == Channel::specular;
-      out.texture(channel) = ImageSource{read_path(picture.at("image"), folder_),
-                                         read_channels(picture, color), picture.text_or_empty("space")};
+      out.texture(channel) =
+          ImageSource{read_path(picture.at("image"), folder_), read_channels(picture, is_color(channel)),
+                      picture.text_or_empty("space")};
     }
   }
 
@@ -288,7 +288,7 @@ class Writer {
     else
       members.push_back({"gloss", json(double{m.gloss})});
     members.push_back({"alpha", json(m.alpha)});
-    if (m.emission != LinearRgb{}) members.push_back({"emission", color_json(m.emission)});
+    if (m.emission != standard_emission(m)) members.push_back({"emission", color_json(m.emission)});
     if (m.occlusion != 1) members.push_back({"occlusion", json(m.occlusion)});
     std::vector<JsonMember> textures;
     for (const Channel channel : all_channels)

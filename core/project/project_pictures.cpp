@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
+#include "core/render/surface_textures.h"
 
 namespace etak {
 namespace {
@@ -68,8 +69,13 @@ void set_numbers(const ProjectMaterial& material, const MaterialLibrary& library
 }  // namespace
 
 bool has_textures(const ProjectMaterial& material) {
-  return std::any_of(material.textures.begin(), material.textures.end(),
-                     [](const auto& texture) { return texture.has_value(); });
+  return material.textures != ProjectMaterial{}.textures;
+}
+
+bool has_packed_textures(const ProjectMaterial& material) {
+  return std::ranges::any_of(all_channels, [&](Channel channel) {
+    return channel != Channel::emission && channel != Channel::occlusion && material.texture(channel);
+  });
 }
 
 MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary& library,
@@ -88,7 +94,7 @@ MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary&
         "its pictures have " + std::to_string(input.width) + " x " + std::to_string(input.height) + " texels",
         "at most " + std::to_string(most_texels) + " for this");
   MaterialPair pair = load_pair(input, remarks);
-  if (has_textures(material)) return pair;
+  if (has_packed_textures(material)) return pair;
   // Rules that look for flat areas need more than a single texel.
   const auto spread = [](const Image8& texel) {
     Image8 out(plain_side, plain_side, 4);
@@ -126,26 +132,41 @@ void KeptPictures::use(const ProjectMaterial& material, const MaterialLibrary& l
   if (kept_->second.diffuse_alpha.pixel_count() > most_texels) kept_.reset();
 }
 
-SurfaceTextures surface_textures(const ProjectMaterial& material, const MaterialPair& pair, int most_side) {
-  SurfaceTextures out{Image(1, 1, 4),
-                      Image(1, 1, 4),
-                      {is_read(material, Channel::diffuse), is_read(material, Channel::alpha),
-                       is_read(material, Channel::specular), is_read(material, Channel::gloss)}};
+std::optional<Image> light_picture(const ProjectMaterial& material, Channel channel,
+                                   const PictureDoor& door) {
+  const std::optional<ImageSource>& source = material.texture(channel);
+  if (!source) return std::nullopt;
+  return channel == Channel::emission ? emission_floats(*source, material.name, door)
+                                      : occlusion_floats(*source, material.name, door);
+}
+
+SurfaceTextures surface_textures(const ProjectMaterial& material, const MaterialPair& pair,
+                                 const PictureDoor& door, int most_side) {
+  const auto emission = light_picture(material, Channel::emission, door),
+             occlusion = light_picture(material, Channel::occlusion, door);
+  SurfaceTextures out = *surface_textures(
+      {.emission = emission ? &*emission : nullptr, .occlusion = occlusion ? &*occlusion : nullptr},
+      most_side);
+  out.body = out.gloss = Image(1, 1, 4);
+  out.has.diffuse = is_read(material, Channel::diffuse);
+  out.has.opacity = is_read(material, Channel::alpha);
+  out.has.f0 = is_read(material, Channel::specular);
+  out.has.gloss = is_read(material, Channel::gloss);
   if (out.has.diffuse || out.has.opacity) out.body = linear_small(pair.diffuse_alpha, most_side);
   if (out.has.f0 || out.has.gloss) out.gloss = linear_small(pair.specular_gloss, most_side);
   return out;
 }
 
 Image8 channel_picture(const SurfaceTextures& textures, Channel channel) {
-  const bool color = channel == Channel::diffuse || channel == Channel::specular;
-  const Image& from =
-      channel == Channel::diffuse || channel == Channel::alpha ? textures.body : textures.gloss;
+  const Image& from = channel == Channel::diffuse || channel == Channel::alpha    ? textures.body
+                      : channel == Channel::specular || channel == Channel::gloss ? textures.gloss
+                                                                                  : textures.emission;
   Image8 out(from.width, from.height, 3);
   for (int y = 0; y < from.height; ++y)
     for (int x = 0; x < from.width; ++x) {
       const auto in = from.at(x, y);
       for (std::size_t c = 0; c < 3; ++c)
-        out.at(x, y)[c] = color ? srgb_u8(static_cast<double>(in[c])) : to_code(in[3]);
+        out.at(x, y)[c] = is_color(channel) ? srgb_u8(static_cast<double>(in[c])) : to_code(in[3]);
     }
   return out;
 }

@@ -17,10 +17,11 @@ namespace etak {
 
 // The materials of a project as pictures (target etak::project_files).
 
-/// Whether some channel of the material has a texture.
+/// Whether some channel of the material has a texture, and whether one that is packed has.
 bool has_textures(const ProjectMaterial& material);
+bool has_packed_textures(const ProjectMaterial& material);
 
-/// Both textures of a material, as they would be packed; without pictures 16 x 16 texels of one colour.
+/// Both textures of a material, as they would be packed; without pictures of these channels 16 x 16 texels of one colour.
 /// Throws Error for pictures that cannot be read or are too large.
 ///   most_texels   larger pictures are refused; 0: no limit
 MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary& library,
@@ -55,9 +56,15 @@ class KeptPictures {
   std::optional<std::pair<PicturesKey, MaterialPair>> kept_;
 };
 
+/// A picture of emission or occlusion as emission_floats() and occlusion_floats() give it; none where the channel has
+/// no texture. Throws Error as they do.
+std::optional<Image> light_picture(const ProjectMaterial& material, Channel channel, const PictureDoor& door);
+
 /// The textures of a material in linear light for a renderer, made smaller by means over areas until no side is
-/// above `most_side` texels. They hold the channels that have a picture.
-SurfaceTextures surface_textures(const ProjectMaterial& material, const MaterialPair& pair, int most_side);
+/// above `most_side` texels. They hold the channels that have a picture. Throws Error as light_picture().
+///   pair   of pictures_of()
+SurfaceTextures surface_textures(const ProjectMaterial& material, const MaterialPair& pair,
+                                 const PictureDoor& door, int most_side);
 
 /// One channel as RGB codes to be shown (gloss and alpha as greys).
 Image8 channel_picture(const SurfaceTextures& textures, Channel channel);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "core/base/clones.h"
@@ -16,6 +17,7 @@
 #include "core/render/backdrop.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"
+#include "core/render/mesh_view.h"
 #include "core/render/surface_textures.h"
 
 // The loops over a chunk are compiled for several instruction sets.
@@ -131,7 +133,7 @@ void respond_far(const Model&, const double*, double, const Range&, Chunk&) {}
 
 void render_cpu(const Scene& scene, const Environment* environment, unsigned threads, Precision precision,
                 Image& picture, const RowsDone& rows_done) {
-  validate(scene);
+  validate(scene, true);
   if (picture.width != scene.width || picture.height != scene.height || picture.channels != 4)
     picture = Image(scene.width, scene.height, 4);
   const PicturePixels target(scene, picture);
@@ -142,7 +144,7 @@ void render_cpu(const Scene& scene, const Environment* environment, unsigned thr
 }
 
 void render_cpu_codes(const Scene& scene, const Environment* environment, unsigned threads, Image8& picture) {
-  validate(scene);
+  validate(scene, true);
   if (picture.width != scene.width || picture.height != scene.height || picture.channels != 3)
     picture = Image8(scene.width, scene.height, 3);
   f32::draw(scene, environment, threads, PictureCodes(scene, picture), {});

@@ -19,6 +19,7 @@
 #include "core/light/area_lobes.h"
 #include "core/render/backdrop.h"
 #include "core/render/lobe_density.h"
+#include "core/render/surface_textures.h"
 
 namespace etak {
 namespace {
@@ -157,6 +158,7 @@ class Shader {
     Vec3 position;
     Mat3 frame;
     Vec3 v;
+    double occlusion;
   };
 
   // The sampled light that the points of a pixel reflect, as means that several independent sets of samples give,
@@ -192,7 +194,7 @@ class Shader {
     };
     for (const bool lobe : {true, false}) {
       if (!has_ambient() || (lobe ? scene_.specular == nullptr : !has_body())) continue;
-      add(scene_.surface.occlusion, [&](const Point& point, std::size_t set, std::size_t i) {
+      add(1, [&](const Point& point, std::size_t set, std::size_t i) {
         Vec3 one =
             weighted(point, own_direction(lobe, point.v, lattice(set, lobe ? 0 : 1).at(i)), lobe, by_light);
         if (by_light) {
@@ -200,7 +202,7 @@ class Shader {
           one =
               one + weighted(point, point.frame * turn_.from_map(environment_->sample(a, b)), lobe, by_light);
         }
-        return one;
+        return one * point.occlusion;
       });
     }
     if (has_areas())
@@ -353,9 +355,10 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const SceneBackdro
     }
     const Camera::Sight sight = camera.sight(x, y);
     const Mat3 frame = frame_of(sight.normal);
-    points.push_back({sight.position, frame, frame * sight.viewer});
+    const auto [r, g, b, occlusion] = emission_at(scene, texture_place(scene.shape, sight.position));
+    points.push_back({sight.position, frame, frame * sight.viewer, occlusion});
     const Vec3& v = points.back().v;
-    out.color = out.color + scene.surface.emission + shader.from_lights(sight.position, frame, v) +
+    out.color = out.color + Vec3{r, g, b} + shader.from_lights(sight.position, frame, v) +
                 shader.through(sight, v[2], backdrop.at(x, y));
   }
   out.hits = static_cast<double>(points.size());

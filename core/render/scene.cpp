@@ -205,11 +205,13 @@ FittedModels fit_models(const Model* specular, const Model* diffuse,
 }
 
 bool is_clear_ball(const Scene& scene) {
-  return scene.shape == Shape::sphere && scene.textures == nullptr && scene.surface.passing.has_value() &&
-         scene.surface.opacity < 1;
+  return scene.shape == Shape::sphere && scene.mesh == nullptr && !scene.textured().values() &&
+         scene.surface.passing.has_value() && scene.surface.opacity < 1;
 }
 
-void validate(const Scene& scene) {
+void validate(const Scene& scene, bool meshes_drawn) {
+  if (scene.mesh != nullptr && !meshes_drawn)
+    throw Error::at("scene", "a mesh", "a sphere or a quad, which alone the reference and GL draw");
   for (const int side : {scene.width, scene.height})
     require(side >= 1 && side <= max_image_side, "size", side, "1 to 16384 pixels on a side");
   if (scene.specular == nullptr && scene.diffuse == nullptr)
@@ -251,10 +253,13 @@ void validate(const Scene& scene) {
   }
   require(std::isfinite(scene.environment_turn_deg), "environment's turn", scene.environment_turn_deg,
           "a finite angle");
+  const SurfaceTextures::Quantities has = scene.textured();
   if (scene.textures)
-    for (const Image* each : {&scene.textures->body, &scene.textures->gloss})
-      if (each->channels != 4 || each->width < 1 || each->height < 1 ||
-          std::max(each->width, each->height) > max_scene_texture)
+    for (const auto& [each, needed] : {std::pair(&scene.textures->body, has.diffuse || has.opacity),
+                                       std::pair(&scene.textures->gloss, has.f0 || has.gloss),
+                                       std::pair(&scene.textures->emission, has.emission || has.occlusion)})
+      if (needed && (each->channels != 4 || each->width < 1 || each->height < 1 ||
+                     std::max(each->width, each->height) > max_scene_texture))
         throw Error::at("texture",
                         std::to_string(each->width) + " x " + std::to_string(each->height) + " pixels of " +
                             std::to_string(each->channels) + " channels",

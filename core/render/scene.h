@@ -17,6 +17,8 @@
 
 namespace etak {
 
+struct Mesh;  // core/math/mesh.h
+
 /// The optical values of a surface, for each channel of linear sRGB. The role of a model's parameter says
 /// which of them it takes.
 struct SurfaceValues {
@@ -110,19 +112,23 @@ struct View {
   friend bool operator==(const View&, const View&) = default;
 };
 
-/// The two textures of a surface, with four channels each in linear light. They are looked up bilinearly with
+/// The textures of a surface, with four channels each in linear light. They are looked up bilinearly with
 /// repeated edges. On the quad they begin at the top left corner; on the sphere they lie in latitude and
-/// longitude, with the seam at the back.
-///   has   the quantities that the textures hold; the others are those of the scene's surface, so that a number
-///         can change while the textures stay as they are
+/// longitude, with the seam at the back. Their sizes may differ. One that holds nothing may have no texels.
+///   has        the quantities that the textures hold; the others are those of the scene's surface, so that a
+///              number can change while the textures stay as they are
+///   emission   factors of the surface's emission and, in the fourth channel, of its occlusion, as in glTF
 struct SurfaceTextures {
   /// Which quantities of a surface come from its textures.
   struct Quantities {
-    bool diffuse = true, opacity = true, f0 = true, gloss = true;
+    bool diffuse = true, opacity = true, f0 = true, gloss = true, emission = false, occlusion = false;
+    /// Whether models take some value from a texture.
+    bool values() const { return diffuse || opacity || f0 || gloss; }
   };
   Image body;   // diffuse colour and opacity
   Image gloss;  // F0 and gloss
   Quantities has = {};
+  Image emission = {};
 };
 
 enum class Shape { sphere, quad };
@@ -152,6 +158,8 @@ struct Backdrop {
 ///                 at its centre, moved inwards where that lies beyond r = 0.9999
 ///   quad          the square |x|, |y| <= 1 in the plane z = 0, normal +z; coverage = product of the sphere's
 ///                 expression for r = |x| and for r = |y|
+///   mesh          drawn on the CPU alone, without shadows of itself; a pixel is the mean of 4 x 4 samples, of
+///                 which those of one surface are shaded once (mesh_view.h)
 ///   frame         tangent t = normalize(cross(y, n)), the x axis where |cross|^2 < 1e-12; bitangent
 ///                 b = cross(n, t)
 ///   light         sum of f_r E nl, times pi where `pi_scaled`; hemispheres and environment use diffuse, f0
@@ -174,12 +182,14 @@ struct Backdrop {
 ///                 the coverage
 struct Scene {
   Shape shape = Shape::sphere;
+  std::shared_ptr<const Mesh> mesh;  // in place of the sphere; null: none
   SurfaceValues surface;
   const Model* specular = nullptr;  // may be of kind both; null: no specular part
   std::vector<double> specular_values;
   const Model* diffuse = nullptr;  // null: no diffuse part, or `specular` is of kind both
   std::vector<double> diffuse_values;
-  // These replace what they hold of the surface's diffuse, opacity, f0 and gloss; null: none.
+  // These replace what they hold of the surface's diffuse, opacity, f0 and gloss, and multiply its emission and
+  // occlusion; null: none.
   std::shared_ptr<const SurfaceTextures> textures;
   bool mark_zone = false;          // stripes where the luminance of F0 is in the forbidden zone
   bool mark_angles = false;        // tints of Hoffman's zones of the angle between normal and viewer
@@ -198,6 +208,11 @@ struct Scene {
   Vec3 background{0.18, 0.18, 0.18};  // linear
   Backdrop backdrop;
   int width = 512, height = 512;
+
+  /// What its textures hold.
+  SurfaceTextures::Quantities textured() const {
+    return textures ? textures->has : SurfaceTextures::Quantities{false, false, false, false};
+  }
 };
 
 /// The values of the scene's specular model. In a model of kind both, the diffuse colour is multiplied by the
@@ -209,7 +224,7 @@ bool is_clear_ball(const Scene& scene);
 
 /// Throws Error for scenes that cannot be drawn: sides outside of 1..16384 pixels, NaN, n <= 0, k < 0, lists
 /// of values that do not fit their models, no model at all, a light setup that validate() of
-/// core/light/lights.h refuses.
-void validate(const Scene& scene);
+/// core/light/lights.h refuses, and a mesh where none can be drawn.
+void validate(const Scene& scene, bool meshes_drawn = false);
 
 }  // namespace etak

@@ -22,6 +22,7 @@ using Triple = std::array<Lane, 3>;
 struct Chunk {
   std::size_t count = 0, whole_blocks = 0;  // how many points; the same, rounded up to whole blocks
   Triple position, normal, viewer;          // in the scene's space; filled by the caller
+  std::array<Lane, 2> uv;                   // of a mesh; filled by the caller
   Lane tangent_x, tangent_z;                // the tangent's y is 0
   Triple bitangent;
   Triple local_viewer, local_light;  // in the frame of tangent, bitangent and normal
@@ -33,6 +34,8 @@ struct Chunk {
   Lane through;                      // share of the background that is seen through the object
   Triple texel_body, texel_f0;       // from textures: diffuse colour times opacity, and F0
   Lane texel_opacity, texel_gloss;
+  Triple emission;                // radiance that the points send out by themselves
+  Lane occlusion;                 // share of the light of hemispheres and environment that reaches them
   std::array<Lane, 5> area_lobe;  // a, b, d, e and the plain cosine's share: core/light/area_lobes.h
 };
 

@@ -21,6 +21,7 @@ struct Shading {
   std::vector<ChunkLight> lights;
   std::vector<ChunkArea> areas;
   AreaTable area_lobes;
+  bool textured;      // whether models take values from textures
   bool with_diffuse;  // whether there is diffuse light, from `diffuse` or from a specular model of kind both
   bool needs_positions = false, needs_viewers;
   bool far = false;  // the viewer is at infinity, and the models have loops for directional lights
@@ -37,15 +38,16 @@ struct Shading {
         turn(s.environment_turn_deg),
         specular(s.specular),
         diffuse(s.diffuse),
-        specular_values(seen_specular_values(s)) {
+        specular_values(seen_specular_values(s)),
+        textured(s.textured().values()) {
     if (diffuse != nullptr && body_is_black(*diffuse, s.diffuse_values)) diffuse = nullptr;
     const bool combined = specular != nullptr && specular->kind == ModelKind::combined;
     with_diffuse = diffuse != nullptr || (combined && !body_is_black(*specular, s.specular_values));
-    if (s.textures) {
+    if (textured) {
       diffuse = s.diffuse;
       with_diffuse = diffuse != nullptr || combined;
-      needs_positions = true;
     }
+    needs_positions = s.textures != nullptr;
     f0_luminance = etak::luminance_of(s.surface.f0);
     if (s.lights.hemispheres || e != nullptr) ambient = ambient_table(s, held_by_textures(s));
     needs_viewers = s.lights.hemispheres.has_value() || e != nullptr || camera.turned();
@@ -53,7 +55,7 @@ struct Shading {
     const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;
     clear_ball = is_clear_ball(s) && e != nullptr;
     in_zone = zone_of(f0_luminance) == Zone::inside;
-    far = !camera.perspective() && has_far_respond && !s.textures;
+    far = !camera.perspective() && has_far_respond && !textured;
     for (const Model* model : {specular, diffuse}) far = far && (model == nullptr || model->has_far_loop());
     for (const Light& light : s.lights.lights) {
       if (is_area(light.kind)) {
@@ -77,7 +79,7 @@ struct Shading {
                         real(hx / length), real(hy / length), real(hz / length), length / 2});
     }
     if (!areas.empty() && specular != nullptr)
-      area_lobes = area_table(*specular, specular_values, s.textures && width_follows_texture(*specular));
+      area_lobes = area_table(*specular, specular_values, textured && width_follows_texture(*specular));
   }
 
   void add_area(const Light& light) {
@@ -91,6 +93,12 @@ struct Shading {
     areas.push_back(std::move(area));
     needs_positions = needs_viewers = true;
   }
+
+  // Whether the background is seen through the object, and whether the object may get stripes.
+  bool clear() const { return (textured || scene.surface.opacity < 1) && !clear_ball; }
+  // What the diffuse part is multiplied by: that of a texel holds its opacity already.
+  real opacity() const { return textured ? real(1) : real(scene.surface.opacity); }
+  bool marked() const { return scene.mark_zone || scene.mark_angles || !scene.mark_energy.empty(); }
 };
 
 // A piece of a row that becomes one chunk: the columns from `first` on. The object covers the columns
@@ -143,20 +151,32 @@ void respond_textured(const Model& model, const std::vector<double>& values, con
   }
 }
 
+// A UV of a mesh in the texture, which repeats.
+double inside_texture(double at) {
+  return at >= 0 && at <= 1 ? at : at - std::floor(at);
+}
+
+// Where a point of the chunk lies in the textures; points beyond the last one have some place too.
+std::array<double, 2> place_of(const Scene& scene, const Chunk& c, std::size_t i) {
+  if (i >= c.count) return {0.5, 0.5};
+  if (scene.mesh) return {inside_texture(double(c.uv[0][i])), inside_texture(double(c.uv[1][i]))};
+  return texture_place(scene.shape,
+                       {double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])});
+}
+
 void look_up_textures(const Shading& shading, Chunk& c) {
   const SurfaceTextures& textures = *shading.scene.textures;
+  const SurfaceTextures::Quantities& has = textures.has;
   const SurfaceValues& surface = shading.scene.surface;
   for (std::size_t i = 0; i < c.whole_blocks; ++i) {
-    const bool there = i < c.count;
-    const auto [u, v] = texture_place(
-        shading.camera.shape(),
-        there ? Vec3{double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])}
-              : Vec3{0, 0, 1});
-    std::array<double, 4> body = texel(textures.body, u, v), gloss = texel(textures.gloss, u, v);
-    if (!textures.has.diffuse) std::copy_n(surface.diffuse.begin(), 3, body.begin());
-    if (!textures.has.opacity) body[3] = surface.opacity;
-    if (!textures.has.f0) std::copy_n(surface.f0.begin(), 3, gloss.begin());
-    if (!textures.has.gloss) gloss[3] = surface.gloss;
+    const auto [u, v] = place_of(shading.scene, c, i);
+    std::array<double, 4> body{}, gloss{};
+    if (has.diffuse || has.opacity) body = texel(textures.body, u, v);
+    if (has.f0 || has.gloss) gloss = texel(textures.gloss, u, v);
+    if (!has.diffuse) std::copy_n(surface.diffuse.begin(), 3, body.begin());
+    if (!has.opacity) body[3] = surface.opacity;
+    if (!has.f0) std::copy_n(surface.f0.begin(), 3, gloss.begin());
+    if (!has.gloss) gloss[3] = surface.gloss;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       c.texel_body[channel][i] = real(body[channel] * body[3]);
       c.texel_f0[channel][i] = real(gloss[channel]);
@@ -166,10 +186,22 @@ void look_up_textures(const Shading& shading, Chunk& c) {
   }
 }
 
+// Finds what the points send out by themselves and how much of the light from all around reaches them.
+void look_up_emission(const Scene& scene, Chunk& c) {
+  const SurfaceTextures::Quantities has = scene.textured();
+  const bool same = !has.emission && !has.occlusion;
+  const std::array<double, 4> everywhere = same ? emission_at(scene, {0.5, 0.5}) : std::array<double, 4>{};
+  for (std::size_t i = 0; i < c.whole_blocks; ++i) {
+    const std::array<double, 4> here = same ? everywhere : emission_at(scene, place_of(scene, c, i));
+    for (std::size_t channel = 0; channel < 3; ++channel) c.emission[channel][i] = real(here[channel]);
+    c.occlusion[i] = real(here[3]);
+  }
+}
+
 // Adds the light of hemispheres and environment.
 void reflect_ambient(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
-  const bool textured = scene.textures != nullptr, with_specular = shading.specular != nullptr;
+  const bool textured = shading.textured, with_specular = shading.specular != nullptr;
   const real gloss = real(scene.surface.gloss);
   const SameSurface same{{narrowed(scene.surface.f0), narrowed(scene.surface.diffuse), gloss}};
   const TexturedSurface of_texture{c};
@@ -195,7 +227,7 @@ void reflect_ambient(const Shading& shading, Chunk& c) {
 void shade(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
   const std::size_t count = c.whole_blocks;
-  const bool textured = scene.textures != nullptr;
+  const bool textured = shading.textured;
   if (textured) look_up_textures(shading, c);
   build_frames(c, !shading.camera.perspective() && !shading.camera.turned());
   const bool with_specular = shading.specular != nullptr;
@@ -203,12 +235,14 @@ void shade(const Shading& shading, Chunk& c) {
     c.specular[channel].fill(count, 0);
     if (shading.with_diffuse) c.diffuse[channel].fill(count, 0);
   }
-  const bool occluded = scene.surface.occlusion < 1;
+  const bool occluded = scene.textured().occlusion || scene.surface.occlusion < 1,
+             emits = scene.surface.emission != Vec3{};
+  if (occluded || emits) look_up_emission(scene, c);
   if (occluded) {
     reflect_ambient(shading, c);
     for (Triple* sum : {&c.specular, &c.diffuse})
       for (Lane& lane : *sum)
-        for (std::size_t i = 0; i < count; ++i) lane[i] *= real(scene.surface.occlusion);
+        for (std::size_t i = 0; i < count; ++i) lane[i] *= c.occlusion[i];
   }
   const auto reflect = [&](const Model& model, const std::vector<double>& values, const ChunkLight* far,
                            const vec3& color, Triple& sum) {
@@ -248,9 +282,8 @@ void shade(const Shading& shading, Chunk& c) {
       }
     }
   if (!occluded) reflect_ambient(shading, c);
-  for (std::size_t channel = 0; channel < 3; ++channel)
-    if (const real emitted = real(scene.surface.emission[channel]); emitted > 0)
-      for (std::size_t i = 0; i < count; ++i) c.specular[channel][i] += emitted;
+  for (std::size_t channel = 0; emits && channel < 3; ++channel)
+    for (std::size_t i = 0; i < count; ++i) c.specular[channel][i] += c.emission[channel][i];
   const real gloss = real(scene.surface.gloss);
   if (textured)
     see_through_texture(c);
@@ -269,7 +302,7 @@ struct Marks {
 Marks marks_at(const Shading& shading, const Chunk& c, std::size_t i) {
   const Scene& scene = shading.scene;
   Marks out{scene.mark_zone && shading.in_zone, false};
-  if (scene.textures) {
+  if (shading.textured) {
     const vec3 f0_here(c.texel_f0[0][i], c.texel_f0[1][i], c.texel_f0[2][i]);
     out.zone = scene.mark_zone && in_forbidden_zone(f0_here);
     out.energy = !scene.mark_energy.empty() &&
@@ -285,43 +318,98 @@ Marks marks_at(const Shading& shading, const Chunk& c, std::size_t i) {
   return out;
 }
 
+// What is seen of the object at a point of the chunk, in a column and a row of the picture.
+//   behind   the light from behind it
+vec3 seen_at(const Shading& shading, const Chunk& c, std::size_t i, int column, int row, const vec3& behind) {
+  const Scene& scene = shading.scene;
+  vec3 seen(c.specular[0][i], c.specular[1][i], c.specular[2][i]);
+  seen = seen + shading.opacity() * vec3(c.diffuse[0][i], c.diffuse[1][i], c.diffuse[2][i]);
+  if (shading.clear()) seen = seen + behind * c.through[i];
+  if (!shading.marked()) return seen;
+  const Marks marks = marks_at(shading, c, i);
+  seen = with_stripes(seen, marks.zone, marks.energy, real(column), real(row), real(scene.exposure));
+  return scene.mark_angles ? with_angle_zones(seen, real(c.local_viewer[2][i]), real(scene.exposure)) : seen;
+}
+
 // Writes the pixels of a piece to `row`.
 void store(const Shading& shading, const Piece& piece, const Chunk& c, float* row) {
   const Scene& scene = shading.scene;
   const Camera& camera = shading.camera;
-  const bool textured = scene.textures != nullptr;  // its body is already multiplied by opacity
-  const real opacity = textured ? real(1) : real(scene.surface.opacity);
   vec3 behind = narrowed(scene.background);
   const bool plain = shading.backdrop.is_plain();
-  const bool clear = (textured || opacity < 1) && !shading.clear_ball;
-  const bool marked = scene.mark_zone || scene.mark_angles || !scene.mark_energy.empty();
   std::size_t whole_first = c.count, whole_last = c.count;
-  if (!clear && !marked) {
+  if (!shading.clear() && !shading.marked()) {
     whole_first = std::min(piece.whole_first, c.count);
     whole_last = std::min(piece.whole_last, c.count);
-    store_whole(c, whole_first, whole_last, opacity, row);
+    store_whole(c, whole_first, whole_last, shading.opacity(), row);
   }
   for (std::size_t i = 0; i < c.count; ++i) {
     if (i == whole_first) i = whole_last;
     if (i >= c.count) break;
-    const double x = camera.x(piece.first + static_cast<int>(i) + 0.5), y = camera.y(piece.row + 0.5);
+    const int column = piece.first + static_cast<int>(i);
+    const double x = camera.x(column + 0.5), y = camera.y(piece.row + 0.5);
     if (!plain) behind = narrowed(shading.backdrop.at(x, y));
-    vec3 seen(c.specular[0][i], c.specular[1][i], c.specular[2][i]);
-    seen = seen + opacity * vec3(c.diffuse[0][i], c.diffuse[1][i], c.diffuse[2][i]);
-    if (clear) seen = seen + behind * c.through[i];
-    if (marked) {
-      const Marks marks = marks_at(shading, c, i);
-      const real column = real(piece.first + static_cast<int>(i)), down = real(piece.row);
-      seen = with_stripes(seen, marks.zone, marks.energy, column, down, real(scene.exposure));
-      if (scene.mark_angles) seen = with_angle_zones(seen, real(c.local_viewer[2][i]), real(scene.exposure));
-    }
     const real cover = real(camera.coverage(x, y));
-    const vec3 shown = mix(behind, seen, cover);
+    const vec3 shown = mix(behind, seen_at(shading, c, i, column, piece.row, behind), cover);
     float* const out = row + 4 * i;
     out[0] = float(shown.x);
     out[1] = float(shown.y);
     out[2] = float(shown.z);
     out[3] = float(cover);
+  }
+}
+
+// The memory of one thread that draws a mesh: its samples, and a row of pixels.
+struct MeshRow {
+  MeshView::Samples samples;
+  std::vector<float> pixels;
+};
+
+// Draws a row of a mesh: the light from behind it first, in place of which the fragments then come.
+template <class Target>
+void draw_mesh_row(const Shading& shading, const MeshView& view, int row, MeshRow& own, Chunk& c,
+                   const Target& target) {
+  const int width = shading.scene.width;
+  const auto behind_at = [&](int column) {
+    return shading.backdrop.at(shading.camera.x(column + 0.5), shading.camera.y(row + 0.5));
+  };
+  own.pixels.resize(4 * static_cast<std::size_t>(width));
+  for (int column = 0; column < width; ++column) {
+    float* const out = &own.pixels[4 * static_cast<std::size_t>(column)];
+    std::ranges::copy(behind_at(column), out);
+    out[3] = 0;
+  }
+  view.see(row, own.samples);
+  const std::vector<MeshView::Fragment>& seen = own.samples.fragments;
+  for (std::size_t first = 0; first < seen.size(); first += c.count) {
+    c.count = std::min(chunk_size, seen.size() - first);
+    c.whole_blocks = (c.count + block - 1) / block * block;
+    for (std::size_t i = 0; i < c.whole_blocks; ++i) {
+      const MeshView::Fragment& at = seen[first + std::min(i, c.count - 1)];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        c.position[axis][i] = real(at.position[axis]);
+        c.normal[axis][i] = real(at.normal[axis]);
+        c.viewer[axis][i] = real(at.viewer[axis]);
+      }
+      for (std::size_t axis = 0; axis < 2; ++axis) c.uv[axis][i] = real(at.uv[axis]);
+    }
+    shade(shading, c);
+    for (std::size_t i = 0; i < c.count; ++i) {
+      const MeshView::Fragment& at = seen[first + i];
+      const vec3 behind = narrowed(behind_at(at.column)),
+                 more = real(at.share) * (seen_at(shading, c, i, at.column, row, behind) - behind);
+      float* const out = &own.pixels[4 * static_cast<std::size_t>(at.column)];
+      out[0] += float(more.x);
+      out[1] += float(more.y);
+      out[2] += float(more.z);
+      out[3] += float(at.share);
+    }
+  }
+  for (int x = 0; x < width; x += static_cast<int>(chunk_size)) {
+    const std::size_t count = std::min(chunk_size, static_cast<std::size_t>(width - x));
+    target.put(x, row, count, [&](float* pixels) {
+      std::copy_n(&own.pixels[4 * static_cast<std::size_t>(x)], 4 * count, pixels);
+    });
   }
 }
 
@@ -351,6 +439,9 @@ void draw(const Scene& scene, const Environment* environment, unsigned threads, 
   Shading shading(lit, environment);
   if (lit.refined && environment != nullptr)
     shading.samples = &environment->samples(lit.bright_apart, threads);
+  std::optional<MeshView> mesh;
+  if (lit.mesh) mesh.emplace(*lit.mesh, shading.camera, lit.width, lit.height);
+  std::vector<MeshRow> mesh_rows(lit.mesh ? threads : 0);
   const auto draw_row = [&](int row, Chunk& c) {
     const Camera::Span span = shading.camera.covered(row), whole = shading.camera.whole(row);
     draw_beside(shading, 0, span.first, row, target);
@@ -369,8 +460,11 @@ void draw(const Scene& scene, const Environment* environment, unsigned threads, 
   parallel_chunks(static_cast<std::size_t>(scene.height), threads, tile_rows,
                   [&](std::size_t begin, std::size_t end, unsigned worker) {
                     if (!chunks[worker]) chunks[worker] = std::make_unique<Chunk>();
-                    for (std::size_t row = begin; row < end; ++row)
-                      draw_row(static_cast<int>(row), *chunks[worker]);
+                    for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+                      if (mesh)
+                        draw_mesh_row(shading, *mesh, row, mesh_rows[worker], *chunks[worker], target);
+                      else
+                        draw_row(row, *chunks[worker]);
                     if (rows_done) rows_done(end - begin, worker);
                   });
 }

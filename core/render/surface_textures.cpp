@@ -11,40 +11,69 @@
 namespace etak {
 namespace {
 
-Image four_channels(const Image* picture, const Vec3& color, double fourth, int side) {
-  if (picture == nullptr) {
-    Image out(1, 1, 4);
-    for (std::size_t c = 0; c < 3; ++c) out.values[c] = static_cast<float>(color[c]);
-    out.values[3] = static_cast<float>(fourth);
-    return out;
-  }
-  if (picture->channels < 3 || picture->width < 1 || picture->height < 1)
-    throw Error::at("texture", std::to_string(picture->channels) + " channels", "three or four");
+void require_channels(const Image& picture, int least, const char* expected) {
+  if (picture.channels < least || picture.width < 1 || picture.height < 1)
+    throw Error::at("texture", std::to_string(picture.channels) + " channels", expected);
+}
+
+// The picture with a fourth channel, 1 where it has none; no texels for null.
+Image four_channels(const Image* picture, int side) {
+  if (picture == nullptr) return {};
+  require_channels(*picture, 3, "three or four");
   const int longer = std::max(picture->width, picture->height);
   const double scale = longer > side ? double(side) / longer : 1;
   const auto scaled = [&](int length) { return std::max(1, static_cast<int>(length * scale)); };
   const Image small =
       scale < 1 ? shrunk(*picture, scaled(picture->width), scaled(picture->height)) : *picture;
   if (small.channels == 4) return small;
-  Image out(small.width, small.height, 4);
+  Image out(small.width, small.height, 4, 1);
   for (int y = 0; y < out.height; ++y)
-    for (int x = 0; x < out.width; ++x) {
-      std::copy_n(small.at(x, y).data(), 3, out.at(x, y).data());
-      out.at(x, y)[3] = static_cast<float>(fourth);
-    }
+    for (int x = 0; x < out.width; ++x) std::copy_n(small.at(x, y).data(), 3, out.at(x, y).data());
   return out;
 }
 
 }  // namespace
 
-std::shared_ptr<const SurfaceTextures> surface_textures(const Image* body, const Image* gloss,
-                                                        const SurfaceValues& surface, int side) {
+std::shared_ptr<const SurfaceTextures> surface_textures(const SurfacePictures& of, int side) {
   if (side < 1 || side > max_scene_texture)
     throw Error::at("texture", "side of " + std::to_string(side),
                     "1 to " + std::to_string(max_scene_texture));
-  return std::make_shared<const SurfaceTextures>(
-      SurfaceTextures{four_channels(body, surface.diffuse, surface.opacity, side),
-                      four_channels(gloss, surface.f0, surface.gloss, side)});
+  const auto fourth = [](const Image* picture) { return picture != nullptr && picture->channels == 4; };
+  SurfaceTextures out{four_channels(of.body, side),
+                      four_channels(of.gloss, side),
+                      {of.body != nullptr, fourth(of.body), of.gloss != nullptr, fourth(of.gloss),
+                       of.emission != nullptr, of.occlusion != nullptr}};
+  const Image emission = emission_texture(of.emission, of.occlusion);
+  if (emission.width > 0) out.emission = four_channels(&emission, side);
+  return std::make_shared<const SurfaceTextures>(std::move(out));
+}
+
+Image emission_texture(const Image* emission, const Image* occlusion) {
+  if (emission != nullptr) require_channels(*emission, 3, "three");
+  if (occlusion != nullptr) require_channels(*occlusion, 1, "one");
+  int width = 0, height = 0;
+  for (const Image* each : {emission, occlusion})
+    if (each != nullptr) width = std::max(width, each->width), height = std::max(height, each->height);
+  Image out(width, height, 4, 1);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double u = (x + 0.5) / width, v = (y + 0.5) / height;
+      const auto to = out.at(x, y);
+      if (occlusion != nullptr) to[3] = static_cast<float>(texel(*occlusion, u, v)[0]);
+      if (emission == nullptr) continue;
+      const std::array<double, 4> color = texel(*emission, u, v);
+      for (std::size_t c = 0; c < 3; ++c) to[c] = static_cast<float>(color[c]);
+    }
+  return out;
+}
+
+std::vector<std::pair<const char*, const Image*>> samplers_of(const SurfaceTextures& textures) {
+  std::vector<std::pair<const char*, const Image*>> out;
+  for (const auto& each :
+       {std::pair("surface_body", &textures.body), std::pair("surface_gloss", &textures.gloss),
+        std::pair("surface_emission", &textures.emission)})
+    if (each.second->width > 0) out.emplace_back(each);
+  return out;
 }
 
 std::array<double, 4> texel(const Image& texture, double u, double v) {
@@ -55,7 +84,7 @@ std::array<double, 4> texel(const Image& texture, double u, double v) {
   const double fx = x - x0, fy = y - y0;
   const auto a = texture.at(x0, y0), b = texture.at(x1, y0), c = texture.at(x0, y1), d = texture.at(x1, y1);
   std::array<double, 4> out{};
-  for (std::size_t i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < a.size(); ++i)
     out[i] = (double{a[i]} * (1 - fx) + double{b[i]} * fx) * (1 - fy) +
              (double{c[i]} * (1 - fx) + double{d[i]} * fx) * fy;
   return out;
@@ -67,6 +96,17 @@ std::array<double, 2> texture_place(Shape shape, const Vec3& p) {
   return {0.5 + std::atan2(p[0], p[2]) / (2 * pi), std::atan2(std::hypot(p[0], p[2]), p[1]) / pi};
 }
 
+std::array<double, 4> emission_at(const Scene& scene, const std::array<double, 2>& place) {
+  const Vec3& own = scene.surface.emission;
+  std::array<double, 4> out{own[0], own[1], own[2], scene.surface.occlusion};
+  const SurfaceTextures::Quantities has = scene.textured();
+  if (!has.emission && !has.occlusion) return out;
+  const std::array<double, 4> factors = texel(scene.textures->emission, place[0], place[1]);
+  for (std::size_t i = 0; i < 4; ++i)
+    if (i < 3 ? has.emission : has.occlusion) out[i] *= factors[i];
+  return out;
+}
+
 bool follows_texture(const Model& model, const Parameter& parameter) {
   switch (parameter.role) {
     case Role::diffuse:
@@ -75,7 +115,7 @@ bool follows_texture(const Model& model, const Parameter& parameter) {
     case Role::gloss:
     case Role::alpha:
     case Role::exponent:
-      return model.derived.empty();
+      return !model.derives_from_width();
     default:
       return false;
   }

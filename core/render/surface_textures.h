@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/render/scene.h"
@@ -12,21 +13,36 @@ namespace etak {
 /// The largest side of a texture in a scene, in texels.
 inline constexpr int max_scene_texture = 4096;
 
-/// The textures of a scene, made from pictures in linear light. Large pictures take time. Throws Error for
-/// pictures of fewer than three channels and for a `side` outside of 1..max_scene_texture.
-///   body      diffuse colour and opacity; null: one texel with the surface's values
-///   gloss     F0 and gloss; null: one texel with the surface's values
-///   surface   its opacity or gloss is the fourth channel of pictures that have three
-///   side      larger pictures are shrunk to this, in texels
-std::shared_ptr<const SurfaceTextures> surface_textures(const Image* body, const Image* gloss,
-                                                        const SurfaceValues& surface, int side = 1024);
+/// Pictures in linear light that are laid over a surface; null: none.
+///   body        diffuse colour and, where there is a fourth channel, opacity
+///   gloss       F0 and, where there is a fourth channel, gloss
+///   emission    three channels, of at least 0
+///   occlusion   one channel, 0 to 1
+struct SurfacePictures {
+  const Image *body = nullptr, *gloss = nullptr, *emission = nullptr, *occlusion = nullptr;
+};
 
-/// The four channels of a texture at u, v (0 to 1 from the top left corner), bilinear with repeated edges.
+/// The textures of a scene, which hold what the pictures do. Large pictures take time. Throws Error for pictures of
+/// fewer channels than said above and for a `side` outside of 1..max_scene_texture.
+///   side   larger pictures are shrunk to this, in texels
+std::shared_ptr<const SurfaceTextures> surface_textures(const SurfacePictures& pictures, int side = 1024);
+
+/// Emission and occlusion as one texture, in the size of the larger picture; each is 1 where its picture is null.
+Image emission_texture(const Image* emission, const Image* occlusion);
+
+/// The textures that have texels, by the names of their samplers in shaders.
+std::vector<std::pair<const char*, const Image*>> samplers_of(const SurfaceTextures& textures);
+
+/// The channels of a texture at u, v (0 to 1 from the top left corner), bilinear with repeated edges.
 std::array<double, 4> texel(const Image& texture, double u, double v);
 
 /// The u and v of a position on an object. The quad shows the texture as it is when seen from the front; on
 /// the sphere it lies in latitude and longitude, with its middle at +z.
 std::array<double, 2> texture_place(Shape shape, const Vec3& position);
+
+/// What the surface sends out by itself at a place in its textures (u and v) and, as the fourth number, the share of the
+/// light of hemispheres and environment that reaches it there.
+std::array<double, 4> emission_at(const Scene& scene, const std::array<double, 2>& place);
 
 /// The values of a model's parameters at a texel.
 class TexturedValues {

@@ -15,12 +15,14 @@
 
 #include "core/image/picture.h"
 #include "core/image/wrap.h"
+#include "core/math/mesh.h"
 #include "core/scene/uv_transform.h"
 
 namespace etak {
 
 // glTF 2.0 scenes as an atlas needs them: which materials the scene reaches, their textures and factors, and
-// where on their textures its triangles lie. Geometry is kept as UVs and areas, not as meshes. Based on:
+// where on their textures its triangles lie. Geometry is kept as UVs and areas, and as a mesh where one is asked for.
+// Based on:
 // Khronos glTF 2.0 specification; KHR_materials_ior, KHR_materials_specular,
 // KHR_materials_pbrSpecularGlossiness (archived), KHR_texture_transform, KHR_materials_variants.
 
@@ -127,6 +129,7 @@ struct GltfOptions {
   std::optional<int> scene;  // none: the document's, else the first
   bool all_scenes = false;
   bool variants = true;  // materials of KHR_materials_variants count as used
+  bool mesh = false;     // GltfScene::mesh is filled
 };
 
 /// The parts of a glTF document that packing and checking need.
@@ -140,6 +143,9 @@ struct GltfScene {
   std::vector<bool> image_used;         // by a used material
   std::vector<GltfUse> uses;
   std::vector<GltfCamera> cameras;  // reached
+  // All triangles that are reached, moved by their nodes, of any material, with the UVs of the first set. Throws Error
+  // for those without normals.
+  Mesh mesh;
   std::size_t scenes = 0, variants = 0;
   std::vector<std::string> variant_names;
   std::shared_ptr<const std::string> json;                  // the document's JSON text, for the writer

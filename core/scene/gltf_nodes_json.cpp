@@ -107,25 +107,98 @@ class Walk {
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       primitives.at(i).expect_object();
       primitive(primitives.at(i), {index, static_cast<int>(i)}, place);
+      if (scene_.options.mesh) add_to_mesh(primitives.at(i), place);
     }
+  }
+
+  /// An attribute of a primitive: `count` elements of some numbers.
+  GltfElements attribute(const JsonNode& attributes, const char* name, std::size_t components,
+                         std::optional<std::size_t> count) const {
+    GltfElements out = open_accessor(document_, document_.index(attributes.at(name), "accessors"));
+    if (out.components != components || (count && out.count != *count))
+      attributes.at(name).fail("an accessor of another type or count",
+                               "VEC" + std::to_string(components) + (count ? ", one for each POSITION" : ""));
+    return out;
+  }
+
+  /// The positions of a primitive; none where nothing is drawn.
+  std::optional<GltfElements> positions_of(const JsonNode& node) const {
+    const JsonNode attributes = node.at("attributes");
+    attributes.expect_object();
+    const bool there = attributes.has("POSITION");
+    if (extension(node.value, "KHR_draco_mesh_compression") &&
+        (!there || !document_.element("accessors", document_.index(attributes.at("POSITION"), "accessors"))
+                        .has("bufferView")))
+      node.fail("a mesh compressed by KHR_draco_mesh_compression alone", "a mesh that is not compressed");
+    if (!there) return std::nullopt;
+    return attribute(attributes, "POSITION", 3, std::nullopt);
+  }
+
+  /// A position in the world.
+  static Vec3 moved(const GltfElements& positions, std::size_t vertex, const JsonNode& attributes,
+                    const Placement& place) {
+    const Vec3 out = place(numbers_of(positions, vertex));
+    for (const double value : out)
+      if (!(std::abs(value) <= widest))
+        attributes.at("POSITION").fail("a position that is not finite or beyond 1e12", "a finite position");
+    return out;
+  }
+
+  static Vec3 numbers_of(const GltfElements& elements, std::size_t at) {
+    return {elements.number(at, 0), elements.number(at, 1), elements.number(at, 2)};
+  }
+
+  void add_to_mesh(const JsonNode& node, const Placement& place) {
+    Mesh& mesh = scene_.mesh;
+    const auto positions = positions_of(node);
+    if (!positions) return;
+    const auto triangles =
+        triangles_of(document_, node, positions->count, most_gltf_triangles - mesh.triangles.size());
+    if (triangles.empty()) return;
+    // Few triangles may bring many vertices, once for each node.
+    if (mesh.vertices.size() + positions->count > most_gltf_triangles)
+      node.fail("vertices beyond " + std::to_string(most_gltf_triangles), "at most so many in all");
+    const JsonNode attributes = node.at("attributes");
+    if (!attributes.has("NORMAL"))
+      attributes.fail("no NORMAL", "a mesh with normals: which edges are smooth cannot be told without");
+    const GltfElements normals = attribute(attributes, "NORMAL", 3, positions->count);
+    GltfElements uvs;
+    if (attributes.has("TEXCOORD_0"))
+      uvs = attribute(attributes, "TEXCOORD_0", 2, positions->count);
+    else
+      mesh.has_uvs = false;
+    // Normals turn by the cofactors of what moves positions.
+    const auto& [x, y, z] = place.linear;
+    const Mat3 turn{cross(y, z), cross(z, x), cross(x, y)};
+    const auto begin = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::size_t i = 0; i < positions->count; ++i) {
+      const Vec3 position = moved(*positions, i, attributes, place), normal = turn * numbers_of(normals, i);
+      const double length = std::sqrt(dot(normal, normal));
+      if (!(length > 0 && std::isfinite(length)))
+        attributes.at("NORMAL").fail("the normal of vertex " + std::to_string(i) + " has no direction",
+                                     "vectors of length 1");
+      Mesh::Vertex& vertex = mesh.vertices.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) {
+        vertex.position[c] = static_cast<float>(position[c]);
+        vertex.normal[c] = static_cast<float>(normal[c] / length);
+      }
+      for (std::size_t c = 0; uvs.first != nullptr && c < 2; ++c) {
+        vertex.uv[c] = static_cast<float>(uvs.number(i, c));
+        if (!std::isfinite(vertex.uv[c]))
+          attributes.at("TEXCOORD_0").fail("a UV that is not finite", "finite UVs");
+      }
+    }
+    for (const auto& [a, b, c] : triangles) mesh.triangles.push_back({begin + a, begin + b, begin + c});
   }
 
   void primitive(const JsonNode& node, std::pair<int, int> id, const Placement& place) {
     const auto materials = materials_of_primitive(document_, node, scene_.options.variants);
     if (materials.empty()) return;
     for (const int material : materials) scene_.material_used[static_cast<std::size_t>(material)] = true;
+    const auto found = positions_of(node);
+    if (!found) return;  // nothing is drawn, says the specification
+    const GltfElements& positions = *found;
     const JsonNode attributes = node.at("attributes");
-    attributes.expect_object();
-    if (!attributes.has("POSITION")) {
-      if (extension(node.value, "KHR_draco_mesh_compression")) refuse_draco(node);
-      return;  // nothing is drawn, says the specification
-    }
-    const int position_index = document_.index(attributes.at("POSITION"), "accessors");
-    if (extension(node.value, "KHR_draco_mesh_compression") &&
-        !document_.element("accessors", position_index).has("bufferView"))
-      refuse_draco(node);
-    const GltfElements positions = open_accessor(document_, position_index);
-    if (positions.components != 3) attributes.at("POSITION").fail("an accessor of another type", "VEC3");
     GltfUse use = areas(node, attributes, positions, place);
     read_uvs(attributes, positions.count, use);
     for (std::size_t i = 0; i < materials.size(); ++i) {
@@ -150,15 +223,7 @@ class Walk {
     use.world_edges.reserve(triangles_.size());
     for (const auto& triangle : triangles_) {
       std::array<Vec3, 3> corner;
-      for (std::size_t i = 0; i < 3; ++i) {
-        Vec3 at;
-        for (std::size_t c = 0; c < 3; ++c) at[c] = positions.number(triangle[i], c);
-        corner[i] = place(at);
-        for (const double value : corner[i])
-          if (!(std::abs(value) <= widest))
-            attributes.at("POSITION")
-                .fail("a position that is not finite or beyond 1e12", "a finite position");
-      }
+      for (std::size_t i = 0; i < 3; ++i) corner[i] = moved(positions, triangle[i], attributes, place);
       Vec3 a, b, center;
       for (std::size_t c = 0; c < 3; ++c) {
         a[c] = corner[1][c] - corner[0][c];
@@ -186,9 +251,7 @@ class Walk {
     for (std::size_t set = 0; set < 2; ++set) {
       const std::string name = "TEXCOORD_" + std::to_string(set);
       if (!attributes.has(name)) continue;
-      const GltfElements uvs = open_accessor(document_, document_.index(attributes.at(name), "accessors"));
-      if (uvs.components != 2 || uvs.count != vertices)
-        attributes.at(name).fail("an accessor of another type or count", "VEC2, one for each POSITION");
+      const GltfElements uvs = attribute(attributes, name.c_str(), 2, vertices);
       use.uv[set].reserve(triangles_.size());
       for (const auto& triangle : triangles_) {
         auto& corners = use.uv[set].emplace_back();
@@ -203,10 +266,6 @@ class Walk {
     total_ += triangles;
     if (total_ > most_gltf_triangles)
       node.fail("triangles beyond " + std::to_string(most_gltf_triangles), "at most so many in all");
-  }
-
-  [[noreturn]] static void refuse_draco(const JsonNode& node) {
-    node.fail("a mesh compressed by KHR_draco_mesh_compression alone", "a mesh that is not compressed");
   }
 
   void camera(const JsonNode& node, const Placement& place) {

@@ -175,8 +175,9 @@ Fit minimum(const Target& target, Fit p) {
   return p;
 }
 
-void fit(std::string_view distribution, std::string_view visibility) {
-  const std::string id = std::string(distribution) + ',' + std::string(visibility);
+void fit(std::string_view distribution, std::string_view visibility, double f0) {
+  const std::string id =
+      std::string(distribution) + ',' + std::string(visibility) + " of F0 " + std::to_string(f0);
   const Model& model =
       *find_model("microfacet:" + std::string(distribution) + ",schlick," + std::string(visibility));
   double worst = 0, sum = 0, worst_alpha = 0, worst_nv = 0;
@@ -186,7 +187,7 @@ void fit(std::string_view distribution, std::string_view visibility) {
     std::vector<double> values;
     for (const Parameter& each : model.parameters) {
       const double width = each.role == Role::exponent ? std::max(0.0, 2 / (alpha * alpha) - 2) : alpha;
-      values.insert(values.end(), each.color ? 3 : 1, each.color ? 1 : width);
+      values.insert(values.end(), each.color ? 3 : 1, each.color ? f0 : width);
     }
     Fit last = row == 0 ? Fit{1, 0, 0, 2, -5} : before[0];
     for (int column = 0; column < area_lobe_columns; ++column) {
@@ -224,10 +225,11 @@ int main() {
       "# SPDX-License-Identifier: Apache-2.0\n"
       "# Written by tests/bench/fit_area_lobes.cpp for core/light/area_lobes.h: a, b, d / alpha, e / alpha "
       "and the share\n"
-      "# of the plain cosine. Lobes of Trowbridge and Reitz, Beckmann, Phong; for each the widths, for each "
-      "of them the\n"
-      "# cosines of the viewer.\n");
-  etak::fit("ggx", "smith-ggx-height");
-  etak::fit("beckmann", "smith-beckmann-height");
-  etak::fit("phong", "kelemen");
+      "# of the plain cosine. Lobes of Trowbridge and Reitz, Beckmann and Phong of F = 1, and of Trowbridge "
+      "and Reitz of F0 = 0.04;\n"
+      "# for each the widths, for each of them the cosines of the viewer.\n");
+  etak::fit("ggx", "smith-ggx-height", 1);
+  etak::fit("beckmann", "smith-beckmann-height", 1);
+  etak::fit("phong", "kelemen", 1);
+  etak::fit("ggx", "smith-ggx-height", 0.04);
 }

@@ -16,6 +16,8 @@ namespace {
 void check(const GltfScene& scene) {
   assert(scene.material_used.size() == scene.materials.size() &&
          scene.image_used.size() == scene.images.size());
+  for (const auto& triangle : scene.mesh.triangles)
+    for (const auto corner : triangle) assert(corner < scene.mesh.vertices.size());
   for (const GltfUse& use : scene.uses) {
     assert(use.material >= 0 && static_cast<std::size_t>(use.material) < scene.materials.size());
     assert(use.world_area.size() == use.world_center.size());
@@ -56,6 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.all_scenes = (data[0] & 1) != 0;
   options.variants = (data[0] & 2) == 0;
   if ((data[0] & 4) != 0) options.scene = 1;
+  options.mesh = (data[0] & 8) != 0;
   const std::vector<char> bytes(data + 1, data + size);
   GltfScene scene;
   GltfOutput output;

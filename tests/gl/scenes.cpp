@@ -2,6 +2,7 @@
 #include "tests/gl/scenes.h"
 
 #include <cstdio>
+#include <memory>
 
 #include "core/render/display.h"
 
@@ -63,6 +64,18 @@ void add_body(Scene& scene) {
     if (scene.diffuse == nullptr) scene.diffuse = find_model("lambert");
     scene.diffuse_values = model_values(*scene.diffuse, scene.surface, {});
   }
+}
+
+// Small textures whose texels differ.
+std::shared_ptr<const SurfaceTextures> textures(const SurfaceTextures::Quantities& has) {
+  const auto picture = [](int width, int height) {
+    Image out(width, height, 4);
+    for (std::size_t i = 0; i < out.values.size(); ++i)
+      out.values[i] = 0.2F + static_cast<float>(i * 7 % 13) / 20;
+    return out;
+  };
+  return std::make_shared<const SurfaceTextures>(
+      SurfaceTextures{picture(4, 3), picture(3, 5), has, picture(6, 4)});
 }
 
 using Change = void (*)(Scene&);
@@ -165,6 +178,18 @@ std::vector<Variant> variants(const Model& model) {
     s.perspective = false;
     s.lights.lights.clear();
     s.lights.hemispheres.reset();
+  });
+  changed("emission-and-occlusion-textures", [](Scene& s) {
+    s.surface.emission = {0.5, 1, 0};
+    s.surface.occlusion = 0.9;
+    s.textures = textures({false, false, false, false, true, true});
+  });
+  changed("occlusion-texture", [](Scene& s) {
+    s.textures = textures({false, false, false, false, false, true});
+  });
+  changed("all-textures", [](Scene& s) {
+    s.surface.emission = {1, 1, 1};
+    s.textures = textures({true, true, true, true, true, true});
   });
   for (const Tone tone : {Tone::neutral, Tone::agx_like, Tone::false_color}) {
     out.push_back({"tone-" + std::string(name(tone)), full_scene(model)});

@@ -112,7 +112,7 @@ class EditorFaults : public QObject {
     QVERIFY(window->document().project() == before);
   }
 
-  void found_4_06_names_are_no_html() {
+  void names_are_no_html() {
     TestWindow window(true);
     QSignalSpy opened(window.window.get(), &Window::opened);
     const QString file = window.file(QStringLiteral("<b>bold.json"));

@@ -27,8 +27,7 @@ class EditorLibrary : public QObject {
   }
 
  private slots:
-  // found 1.05 and 1.07
-  void found_1_05_clear_bodies_and_1_07_totals_are_told_and_exported() {
+  void clear_bodies_and_totals_are_told_and_exported() {
     TestWindow window(true);
     window->show();
     const auto told = [&] {
@@ -76,7 +75,7 @@ class EditorLibrary : public QObject {
     QVERIFY(library.list().model()->rowCount() > 3 && library.list().model()->rowCount() < 40);
   }
 
-  void found_1_10_a_search_without_a_row_says_why() {
+  void a_search_without_a_row_says_why() {
     TestWindow window(true);
     LibraryPanel& library = window->library_panel();
     const auto told = [&](const char* text) {
@@ -94,7 +93,7 @@ class EditorLibrary : public QObject {
   }
 
   // The library's list and the inspector tell where the data of a material are doubtful.
-  void found_1_04_the_quality_of_data_is_told() {
+  void the_quality_of_data_is_told() {
     TestWindow window(true);
     const QAbstractItemModel* model = window->library_panel().list().model();
     QString zinc;
@@ -119,7 +118,7 @@ class EditorLibrary : public QObject {
     QVERIFY(result->text().contains(QLatin1String("doubtful: at 667 nm")));
   }
 
-  void found_1_18_a_surface_has_no_zone_verdict() {
+  void a_surface_has_no_zone_verdict() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("cardboard")));
     const auto* result = named<QLabel>(*window, QStringLiteral("Measured F0, result"));

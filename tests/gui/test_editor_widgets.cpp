@@ -350,8 +350,7 @@ class EditorWidgets : public QObject {
     QCOMPARE(window->document().material()->gloss, 0.75);
   }
 
-  // found 1.06
-  void found_1_06_roughness_is_typed_beside_gloss_from_mirror_to_paper() {
+  void roughness_is_typed_beside_gloss_from_mirror_to_paper() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
     window->show();
@@ -395,6 +394,10 @@ class EditorWidgets : public QObject {
     QVERIFY(channel_of_name(QStringLiteral("/a/crate_gloss.png")) == Channel::gloss);
     QVERIFY(channel_of_name(QStringLiteral("crate-Specular.tif")) == Channel::specular);
     QVERIFY(channel_of_name(QStringLiteral("albedo.exr")) == Channel::diffuse);
+    QVERIFY(channel_of_name(QStringLiteral("lamp_emissive.exr")) == Channel::emission);
+    QVERIFY(channel_of_name(QStringLiteral("lamp_emission.png")) == Channel::emission);
+    QVERIFY(channel_of_name(QStringLiteral("wall-ao.png")) == Channel::occlusion);
+    QVERIFY(channel_of_name(QStringLiteral("wall_Occlusion.png")) == Channel::occlusion);
     QVERIFY(!channel_of_name(QStringLiteral("crate.png")));
   }
 

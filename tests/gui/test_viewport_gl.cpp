@@ -26,12 +26,13 @@ class ViewportGl : public QObject {
   std::shared_ptr<const Environment> environment =
       std::make_shared<const Environment>(environment_picture(*find_studio("studio"), 128), 1, "studio", 2);
 
-  static std::shared_ptr<const SurfaceTextures> textures_of(const SurfaceValues& surface) {
+  static std::shared_ptr<const SurfaceTextures> some_textures() {
     Image body(8, 8, 4), gloss(8, 4, 4);
     for (std::size_t i = 0; i < body.values.size(); ++i) body.values[i] = static_cast<float>(i % 7) / 8;
     for (std::size_t i = 0; i < gloss.values.size(); ++i)
       gloss.values[i] = 0.2F + static_cast<float>(i % 5) / 8;
-    return surface_textures(&body, &gloss, surface);
+    const Image emission(3, 5, 3, 0.3F);
+    return surface_textures({&body, &gloss, &emission});
   }
 
   //   beside   what lies beside the object is compared, too
@@ -84,7 +85,7 @@ class ViewportGl : public QObject {
     state.environment = environment;
     state.environment_turn_deg = 40;
     check(state, id + " under two hemispheres in an environment");
-    state.a.textures = textures_of(state.a.surface);
+    state.a.textures = some_textures();
     check(state, id + " with textures under two hemispheres in an environment");
   }
 
@@ -92,11 +93,13 @@ class ViewportGl : public QObject {
     ViewState state = state_with(*find_model("ggx-schlick"));
     state.environment = environment;
     state.a.surface.opacity = 0.8;
-    const SurfaceTextures all = *textures_of(state.a.surface);
+    const SurfaceTextures all = *some_textures();
     // Every combination, down to textures that hold nothing.
     for (int bits = 0; bits < 16; ++bits) {
       SurfaceTextures part = all;
-      part.has = {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
+      state.a.surface.emission = {0.2, 0, 0.1 * (bits % 3)};
+      part.has = {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0,
+                  (bits & 8) != 0, bits % 3 != 1,   bits % 5 < 3};
       state.a.textures = std::make_shared<const SurfaceTextures>(part);
       check(state, "textures with the quantities " + QByteArray::number(bits));
     }
@@ -186,7 +189,7 @@ class ViewportGl : public QObject {
 
   void textures() {
     ViewState state = gold_state();
-    const auto pair = textures_of(state.a.surface);
+    const auto pair = some_textures();
     for (const char* id :
          {"schueler-optimized-bounded", "ggx-schlick", "phong", "ashikhmin-shirley", "abc-schlick"}) {
       state.a = state_with(*find_model(id)).a;

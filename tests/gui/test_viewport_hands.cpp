@@ -247,7 +247,7 @@ class ViewportHands : public QObject {
   void a_huge_texture_is_shrunk_or_refused() {
     ViewState state = gold_state();
     const Image huge(5000, 40, 3, 0.5F);
-    state.a.textures = surface_textures(&huge, nullptr, state.a.surface);
+    state.a.textures = surface_textures({.body = &huge});
     QCOMPARE(state.a.textures->body.width, 1024);
     viewport->set_state(state);
     QVERIFY(!viewport->grab_picture().isNull());

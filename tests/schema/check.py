@@ -94,7 +94,7 @@ for verb, variants in calls.items():
 for options in ([], ["--channel", "rgb", "--term", "schlick"], ["--of", "D", "--term", "ggx"], ["--of", "lobe"], ["--of", "R"]):
     check(schema("curve"), json.loads(run("curve", "gold", "water", *options, "--format", "json")), f"curve {options}")
 check(schema("eval"), json.loads(run("eval", "f0", "n=1.5", "k=0", "--format", "json")), "eval f0")
-# found 1.21: the table of rules has a schema, and tools that read it get every rule.
+# The table of rules has a schema, and tools that read it get every rule.
 rules = schema("rules")
 table = json.loads(run("validate", "--list-rules", "--format", "json"))
 check(rules, table, "validate --list-rules")
@@ -147,7 +147,7 @@ def run_where_built(*arguments):
     return done.stdout
 
 
-# found 1.16: every line of progress follows its schema.
+# Every line of progress follows its schema.
 done = subprocess.run([etak, "f0", "--all", "--format", "csv", "--progress", "json"], check=True, capture_output=True,
                       text=True)
 lines = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,8 +25,11 @@ struct SceneArguments {
   RoughnessArguments rough;
   std::string emission, ground;  // colours as typed
   double occlusion = 1;
-  bool refined = false;           // as in struct Scene
-  std::optional<double> opacity;  // none: 1, and 0 of clear bodies
+  std::string texture, gloss_texture;  // files: diffuse colour and opacity; F0 and gloss
+  std::string emission_texture, occlusion_texture;
+  std::shared_ptr<const SurfaceTextures> textures;  // what these files hold; null before read_textures()
+  bool refined = false;                             // as in struct Scene
+  std::optional<double> opacity;                    // none: 1, and 0 of clear bodies
   double exposure = 1, field_of_view = 30;
   std::string lights, environment, tone = "plain", transfer = "srgb", size = "512";
   bool quad = false, perspective = false;
@@ -34,6 +38,9 @@ struct SceneArguments {
   Library library;
 };
 void add_scene_options(Command verb, SceneArguments& arguments);
+
+/// Reads the textures, if that has not been done. Throws Error that names the file.
+void read_textures(SceneArguments& arguments);
 
 /// Those of them that say what the surface is made of: SUBJECT, --dataset, --set, --diffuse, the roughness, and
 /// how F0 is computed.

@@ -19,7 +19,6 @@
 #include "core/base/number.h"
 #include "core/base/text/text.h"
 #include "core/color/ocio.h"
-#include "core/color/srgb.h"
 #include "core/image/image_io.h"
 #include "core/render/ambient/accuracy.h"
 #include "core/render/ambient/ambient.h"
@@ -27,8 +26,9 @@
 #include "core/render/display.h"
 #include "core/render/glsl/gl_runner.h"
 #include "core/render/ground_bounce.h"
+#include "core/render/mesh_view.h"
 #include "core/render/reference.h"
-#include "core/render/surface_textures.h"
+#include "core/scene/gltf.h"
 
 namespace etak::cli {
 namespace {
@@ -196,7 +196,7 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
                                 {"standard_error", number(stats.ambient->standard_error, 6)}},
                                -1)});
   if (const auto off = scene.specular != nullptr && !scene.lights.environment.empty()
-                           ? ambient_accuracy(scene.specular->id, scene.surface.gloss)
+                           ? ambient_accuracy(scene.specular->id, scene.surface.gloss, scene.refined)
                            : std::nullopt)
     out.push_back({"ambient_error", json_object({{"mean", number(off->mean, 3)},
                                                  {"picture", number(off->picture, 3)},
@@ -251,45 +251,40 @@ void check_picture_name(const RenderArguments& arguments) {
                     "-o FILE, and neither --sheet nor --frames");
   if (arguments.reference && arguments.device == "gl")
     throw Error::at("--reference", "is not drawn with gl", "--device cpu");
+  for (const auto& [option, given] :
+       {std::pair("--reference", arguments.reference), std::pair("--device gl", arguments.device == "gl"),
+        std::pair("--sheet", arguments.sheet), std::pair("--quad", arguments.scene.quad)})
+    if (given && !arguments.mesh.empty())
+      throw Error::at("--mesh", std::string("beside ") + option + ", which draws spheres and quads alone",
+                      "one of them");
 }
 
-// The picture of a file in linear light.
-std::optional<Image> linear_texture(const char* option, const std::string& path) {
-  if (path.empty()) return std::nullopt;
-  const bool linear = read_picture_header(path).floating;
-  Image out = read_image(path);
-  if (out.channels < 3)
-    throw Error::at(path, std::to_string(out.channels) + " channels",
-                    std::string("three or four for ") + option);
-  if (!linear)
-    for (std::size_t i = 0; i < out.values.size(); ++i)
-      if (i % static_cast<std::size_t>(out.channels) < 3)
-        out.values[i] = static_cast<float>(srgb_decode(double{out.values[i]}));
-  return out;
+void lay_mesh(const std::string& path, Scene& scene) {
+  if (path.empty()) return;
+  if (!is_gltf_file(path)) throw Error::at(printable(path, 200), "no glTF scene", ".gltf or .glb");
+  GltfOptions options;
+  options.mesh = true;
+  Mesh mesh = read_gltf(path, options).mesh;
+  if (scene.textures && !mesh.has_uvs)
+    throw Error::at(path, "a mesh without UVs", "TEXCOORD_0 in each primitive, by which textures are laid");
+  scene.mesh = std::make_shared<const Mesh>(in_place_of_ball(std::move(mesh), path));
 }
 
-void lay_textures(const RenderArguments& arguments, Scene& scene) {
-  const auto body = linear_texture("--texture", arguments.texture),
-             gloss = linear_texture("--gloss-texture", arguments.gloss_texture);
-  if (!body && !gloss) return;
-  if (arguments.reference)
-    throw Error::at("--reference", "draws no textures", "no --texture and no --gloss-texture");
-  const auto laid =
-      surface_textures(body ? &*body : nullptr, gloss ? &*gloss : nullptr, scene.surface, max_scene_texture);
-  SurfaceTextures out = *laid;
-  out.has = {body.has_value(), body && body->channels == 4, gloss.has_value(), gloss && gloss->channels == 4};
-  scene.textures = std::make_shared<const SurfaceTextures>(std::move(out));
-}
-
-Image draw_one(RenderArguments& arguments, unsigned threads, Scene& scene, SceneNotes& notes, Stats& stats) {
+//   environment   of the scene; null: made here, for all objects of a sweep
+Image draw_one(RenderArguments& arguments, unsigned threads, Scene& scene, SceneNotes& notes, Stats& stats,
+               std::shared_ptr<const Environment>& environment) {
   scene = scene_of(arguments.scene, notes);
-  lay_textures(arguments, scene);
+  if (arguments.reference && scene.textured().values())
+    throw Error::at("--reference", "draws no textures of diffuse colour, F0 and gloss",
+                    "no --texture and no --gloss-texture");
+  lay_mesh(arguments.mesh, scene);
   tell_held_gloss(scene, notes);
   stats.subject = notes.subject;
   const auto begin = Clock::now();
-  const std::shared_ptr<const Environment> environment = with_memory_for(
-      scene.lights.environment, [] { return "the light of its texels"; },
-      [&] { return environment_of(scene, threads); });
+  if (!environment)
+    environment = with_memory_for(
+        scene.lights.environment, [] { return "the light of its texels"; },
+        [&] { return environment_of(scene, threads); });
   stats.prepare_ms = ms_since(begin);
   const Environment* light = environment.get();
   return arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
@@ -308,17 +303,20 @@ int draw_within_memory(RenderArguments& arguments) {
   Stats stats;
   SceneNotes notes;
   arguments.scene.refined = arguments.ambient == "refined" && !arguments.reference;
+  read_textures(arguments.scene);
   Scene scene;
+  std::shared_ptr<const Environment> environment;
   if (!arguments.sweep.empty()) {
-    const Image row = draw_sweep(
-        arguments, [&](RenderArguments& one) { return draw_one(one, threads, scene, notes, stats); });
+    const Image row = draw_sweep(arguments, [&](RenderArguments& one) {
+      return draw_one(one, threads, scene, notes, stats, environment);
+    });
     write_picture(arguments, scene, row);
     std::set<std::string> told;
     for (const std::string& each : notes.remarks)
       if (told.insert(each).second) remark(arguments.stats, each);
     return exit_ok;
   }
-  const Image picture = draw_one(arguments, threads, scene, notes, stats);
+  const Image picture = draw_one(arguments, threads, scene, notes, stats, environment);
   if (!arguments.picture.empty()) write_picture(arguments, scene, picture);
   say(arguments, scene, stats, notes, threads);
   return exit_ok;

@@ -18,9 +18,9 @@ struct RenderArguments {
   std::string device = "auto";
   std::string ambient = "refined";
   std::string ocio, display, view;
-  std::string texture, gloss_texture;  // files: diffuse colour and opacity; F0 and gloss
-  std::string sweep;                   // NAME=VALUES
-  std::string part = "all";            // of the sheet: see draw_sheet()
+  std::string mesh;          // a glTF file
+  std::string sweep;         // NAME=VALUES
+  std::string part = "all";  // of the sheet: see draw_sheet()
   bool reference = false, sheet = false, half = false;
   int samples = 16, light_samples = 16, frames = 1;
   unsigned threads = 0;

@@ -62,6 +62,7 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
   const F0Settings compute = std::exchange(typed.compute, {});  // of the columns
   SceneNotes notes;
   scene = scene_of(typed, notes);
+  if (scene.textures) throw Error::at("--sheet", "given with a texture", "none: its materials are numbers");
   typed.compute = compute;
   // All columns have the same roughness, so that they can be compared: the given one, else the gloss of
   // metals.

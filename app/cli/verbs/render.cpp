@@ -12,18 +12,24 @@ namespace etak::cli {
 void add_render(CommandLine& line) {
   const auto arguments = std::make_shared<RenderArguments>();
   arguments->scene.standard_lights = studio_lights;
-  Command verb = line.verb("render", "a picture of a material on a sphere or quad");
+  Command verb = line.verb("render", "a picture of a material on a sphere, quad or mesh");
   add_scene_options(verb, arguments->scene);
   verb.option("-o,--output", arguments->picture, "picture to write: .png (8 bit) or .exr (linear)")
       .value_name("FILE");
   verb.flag("--force", arguments->stats.force, "let -o replace a file; ETAK_FORCE=1 says the same");
   verb.option(
-          "--texture", arguments->texture,
+          "--texture", arguments->scene.texture,
           "picture of the diffuse colour and, in its fourth channel, of the opacity, laid over the object")
       .reads_file()
       .value_name("FILE");
-  verb.option("--gloss-texture", arguments->gloss_texture,
+  verb.option("--gloss-texture", arguments->scene.gloss_texture,
               "picture of F0 and, in its fourth channel, of the gloss, as etak pack writes it")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--mesh", arguments->mesh,
+              "a glTF scene of triangles with normals in place of the sphere, moved and scaled to its size; "
+              "its own "
+              "materials are not looked at, and it casts no shadow")
       .reads_file()
       .value_name("FILE");
   verb.option("--sweep", arguments->sweep,

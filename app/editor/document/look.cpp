@@ -37,6 +37,8 @@ ViewState view_state_of(const Document& document, const Look& look,
   if (&m == &nothing) out.a.label = out.b.label = nothing.name;  // whatever its model
   if (look.textured && !look.preview) out.a.textures = std::move(textures);
   if (look.textured && !view.compare.pinned) out.b.textures = out.a.textures;
+  for (ViewSide* side : {&out.a, &out.b})
+    if (side->textures && side->textures->has.emission) side->surface.emission = vec(m.emission);
   out.split = view.compare.on;
   if (out.split) {
     out.a.label.insert(0, "A: ");

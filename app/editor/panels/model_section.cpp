@@ -140,10 +140,12 @@ void ModelSection::show_material(const ProjectMaterial* m) {
     for (const Row& row : rows_)
       row.field->show_value((row.diffuse ? fitted.diffuse_values : fitted.specular_values)[row.at]);
     if (specular == nullptr) return;
-    const std::string off = ambient_accuracy_text(specular->id, surface.gloss);
-    about_->setText(told_ +
-                    tr(". Light of an environment: %1")
-                        .arg(off.empty() ? tr("its error was not measured for this model") : qt_text(off)));
+    const std::string moving = ambient_accuracy_text(specular->id, surface.gloss, false);
+    about_->setText(told_ + tr(". Light of an environment: ") +
+                    (moving.empty() ? tr("its error was not measured for this model")
+                                    : tr("%1 while it moves; %2 at rest")
+                                          .arg(qt_text(moving), qt_text(ambient_accuracy_text(
+                                                                    specular->id, surface.gloss, true)))));
   } catch (const Error& error) {
     about_->setText(QString::fromUtf8(error.what()));
   }

@@ -26,9 +26,13 @@ QString title_of(Channel channel) {
     case Channel::gloss:
       return QObject::tr("Gloss");
     case Channel::alpha:
+      return QObject::tr("Alpha opacity");
+    case Channel::emission:
+      return QObject::tr("Emission");
+    case Channel::occlusion:
       break;
   }
-  return QObject::tr("Alpha opacity");
+  return QObject::tr("Occlusion");
 }
 
 bool is_picture(const QString& path) {
@@ -49,6 +53,8 @@ std::optional<Channel> channel_of_name(const QString& path) {
   if (ends({"specular", "spec", "f0"})) return Channel::specular;
   if (ends({"gloss", "glossiness", "smoothness"})) return Channel::gloss;
   if (ends({"alpha", "opacity", "mask"})) return Channel::alpha;
+  if (ends({"emission", "emissive", "emit"})) return Channel::emission;
+  if (ends({"occlusion", "ao", "ambientocclusion"})) return Channel::occlusion;
   return std::nullopt;
 }
 
@@ -81,7 +87,10 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
     box->installEventFilter(this);
     box->setProperty("channel", static_cast<int>(channel));
     box->setAccessibleName(tr("%1 texture").arg(title));
-    box->setToolTip(tr("A picture in the place of the number, where the material is packed and drawn"));
+    box->setToolTip(
+        channel == Channel::emission || channel == Channel::occlusion
+            ? tr("A picture that the number above multiplies, where the material is drawn and exported")
+            : tr("A picture in the place of the number, where the material is packed and drawn"));
     add(title, box);
     connect(row.path, &QLineEdit::editingFinished, this, [this, channel] {
       set(channel, rows_[static_cast<std::size_t>(channel)].path->text().trimmed());
@@ -139,7 +148,7 @@ void TextureSection::take_files(const QStringList& paths, Channel other) {
   ProjectMaterial next = *document_.material();
   for (const QString& path : paths) {
     const Channel channel = channel_of_name(path).value_or(other);
-    next.texture(channel) = ImageSource{path.toStdString(), {}, {}};
+    set_texture(next, channel, ImageSource{path.toStdString(), {}, {}});
   }
   document_.edit(document_.current(), next, tr("textures"), next_press_id());
 }
@@ -147,12 +156,10 @@ void TextureSection::take_files(const QStringList& paths, Channel other) {
 void TextureSection::set(Channel channel, const QString& path) {
   if (document_.material() == nullptr) return;
   ProjectMaterial next = *document_.material();
-  auto& texture = next.texture(channel);
+  const auto& texture = next.texture(channel);
   if (path.toStdString() == (texture ? texture->path : std::string())) return;
-  if (path.isEmpty())
-    texture.reset();
-  else
-    texture = ImageSource{path.toStdString(), {}, {}};
+  set_texture(next, channel,
+              path.isEmpty() ? std::nullopt : std::optional(ImageSource{path.toStdString(), {}, {}}));
   document_.edit(document_.current(), next, tr("%1 texture").arg(qt_text(name(channel))), next_press_id());
 }
 

@@ -13,6 +13,7 @@
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
+#include "core/color/srgb.h"
 #include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
 
@@ -58,8 +59,12 @@ void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& 
   read.textures.reset();
   read.shown_size = {};
   const MaterialPair pair = pictures_of(m, library, picture_door(), most_texels);
-  read.size = QObject::tr("%1 x %2 texels").arg(pair.diffuse_alpha.width).arg(pair.diffuse_alpha.height);
-  const auto textures = std::make_shared<const SurfaceTextures>(surface_textures(m, pair, most_side));
+  const auto textures =
+      std::make_shared<const SurfaceTextures>(surface_textures(m, pair, picture_door(), most_side));
+  const bool packed = has_packed_textures(m);
+  read.size = QObject::tr("%1 x %2 texels")
+                  .arg(packed ? pair.diffuse_alpha.width : textures->emission.width)
+                  .arg(packed ? pair.diffuse_alpha.height : textures->emission.height);
   for (const Channel channel : all_channels) {
     if (!m.texture(channel)) continue;
     QImage& picture = read.pictures[static_cast<std::size_t>(channel)];
@@ -70,11 +75,18 @@ void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& 
 }
 
 // The codes of a channel without a picture, as they would be packed.
-QColor packed_color(const MaterialPair& numbers, Channel channel) {
-  const bool color = channel == Channel::diffuse || channel == Channel::specular;
+QColor packed_color(const ProjectMaterial& m, const MaterialPair& numbers, Channel channel) {
+  if (channel == Channel::emission) {
+    const Srgb8 codes = srgb_u8(m.emission);
+    return {codes.r, codes.g, codes.b};
+  }
+  if (channel == Channel::occlusion) {
+    const int grey = to_code(static_cast<float>(m.occlusion));
+    return {grey, grey, grey};
+  }
   const bool body = channel == Channel::diffuse || channel == Channel::alpha;
   const auto texel = (body ? numbers.diffuse_alpha : numbers.specular_gloss).at(0, 0);
-  return color ? QColor(texel[0], texel[1], texel[2]) : QColor(texel[3], texel[3], texel[3]);
+  return is_color(channel) ? QColor(texel[0], texel[1], texel[2]) : QColor(texel[3], texel[3], texel[3]);
 }
 
 // The textures of the material as it is now, from the files where those have changed.
@@ -98,7 +110,7 @@ Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Rea
       if (!m.texture(channel)) {
         QImage& picture = out.pictures[static_cast<std::size_t>(channel)];
         picture = QImage(1, 1, QImage::Format_RGB888);
-        picture.fill(packed_color(numbers, channel));
+        picture.fill(packed_color(m, numbers, channel));
       }
   } catch (const Error& error) {
     out.text = QString::fromUtf8(error.what());

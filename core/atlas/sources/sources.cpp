@@ -310,7 +310,40 @@ PackInput input_of(const ManifestMaterial& m, const Resolving& r) {
   return in;
 }
 
+// The texels of a picture by itself. Throws Error for those out of range.
+Image floats_of(const RolePlace& at, const ImageSource& source, double most, const PictureDoor& door) {
+  const AtlasManifest manifest;
+  const MaterialLibrary library;
+  const PictureReading reading{std::nullopt, door, {}, {}};
+  std::vector<std::string> remarks;
+  const Resolving resolving{manifest, library, reading, manifest.gloss, remarks};
+  const PlaneSource plane =
+      at.role == "emission" ? color_plane(at, source, resolving) : grey_plane(at, source, nullptr, resolving);
+  const PictureHeader header = picture_header(source.path, door);
+  Image out = plane_floats(plane, header.width, header.height);
+  for (const float each : out.values)
+    if (!(each >= 0 && double{each} <= most))
+      throw Error::at(source.path, "holds " + number(double{each}, 6) + " as " + at.role,
+                      most == 1 ? "0 to 1" : "at least 0");
+  return out;
+}
+
 }  // namespace
+
+Image emission_floats(const ImageSource& source, const std::string& material, const PictureDoor& door) {
+  ManifestMaterial m;
+  m.name = m.place = material;
+  ImageSource spaced = source;
+  if (spaced.space.empty() && picture_header(source.path, door).colour_space == "linear")
+    spaced.space = "linear";
+  return floats_of({m, "emission"}, spaced, std::numeric_limits<float>::max(), door);
+}
+
+Image occlusion_floats(const ImageSource& source, const std::string& material, const PictureDoor& door) {
+  ManifestMaterial m;
+  m.name = m.place = material;
+  return floats_of({m, "occlusion"}, source, 1, door);
+}
 
 PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
                             const PictureReading& reading) {

@@ -77,4 +77,11 @@ struct PictureReading {
 PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
                             const PictureReading& reading);
 
+/// The picture of a material's emission (three channels of at least 0, linear light; where neither `source` nor the
+/// file names a space, codes are sRGB) or of its occlusion (one channel, 0 to 1), which pages have no room for.
+///   material   its name, for messages
+/// Throws Error as resolve_manifest() and for texels out of range.
+Image emission_floats(const ImageSource& source, const std::string& material, const PictureDoor& door);
+Image occlusion_floats(const ImageSource& source, const std::string& material, const PictureDoor& door);
+
 }  // namespace etak

@@ -33,13 +33,19 @@ struct ModelRow {
   std::string_view id, kind, reciprocal, conserves, note, title, source;
   std::string parameters;
   bool is_default = false;
-  std::string ambient = {};  // mean error of the light of an environment at the measured glosses
+  // Mean error of the light of an environment at the measured glosses, in the moving and in the refined picture.
+  std::string moving = {}, refined = {};
 };
 
-std::string ambient_text(const Model& model) {
-  if (!ambient_accuracy(model.id, 1)) return "";
+std::string ambient_text(const Model& model, bool refined) {
+  if (!ambient_accuracy(model.id, 1, refined)) return "";
   return joined(measured_glosses, " ",
-                [&](double gloss) { return number(ambient_accuracy(model.id, gloss)->mean, 2); });
+                [&](double gloss) { return number(ambient_accuracy(model.id, gloss, refined)->mean, 2); });
+}
+
+std::vector<JsonMember> ambient_members(const Model& model, double gloss, bool refined) {
+  const AmbientAccuracy off = *ambient_accuracy(model.id, gloss, refined);
+  return {{"mean", number(off.mean, 3)}, {"picture", number(off.picture, 3)}, {"p99", number(off.p99, 3)}};
 }
 
 // The rows of a registry that have the text in id, kind or title.
@@ -62,7 +68,7 @@ std::vector<ModelRow> model_rows(const std::string& search) {
   for (const Model& m : with_text(models(), search))
     rows.push_back({m.id, name(m.kind), yes_no(m.claims.reciprocal), yes_no(m.claims.conserves_energy),
                     m.claims.note, m.title, m.source, joined(m.parameters, ", ", parameter_text),
-                    is_default(m), ambient_text(m)});
+                    is_default(m), ambient_text(m, false), ambient_text(m, true)});
   for (const Term& t : with_text(terms(), search))
     rows.push_back(
         {t.id, name(t.kind), "", "", t.note, t.title, t.source, joined(t.parameters, ", ", parameter_text)});
@@ -109,15 +115,14 @@ std::string model_object(const Model& m) {
   members.push_back({"conserves_energy", json(m.claims.conserves_energy)});
   members.push_back({"claim", json(m.claims.note)});
   members.push_back({"scale", json("1/sr")});
-  if (ambient_accuracy(m.id, 1))
-    members.push_back({"ambient_error", '[' + joined(measured_glosses, ", ", [&](double gloss) {
-                                          const AmbientAccuracy off = *ambient_accuracy(m.id, gloss);
-                                          return json_object({{"gloss", number(gloss, 3)},
-                                                              {"mean", number(off.mean, 3)},
-                                                              {"picture", number(off.picture, 3)},
-                                                              {"p99", number(off.p99, 3)}},
-                                                             -1);
-                                        }) + ']'});
+  if (ambient_accuracy(m.id, 1, false))
+    members.push_back(
+        {"ambient_error", '[' + joined(measured_glosses, ", ", [&](double gloss) {
+                            std::vector<JsonMember> off = ambient_members(m, gloss, false);
+                            off.insert(off.begin(), {"gloss", number(gloss, 3)});
+                            off.push_back({"refined", json_object(ambient_members(m, gloss, true), -1)});
+                            return json_object(off, -1);
+                          }) + ']'});
   if (m.distribution)
     members.push_back(
         {"terms", json_array_of(std::array{m.distribution->id, m.fresnel->id, m.visibility->id})});
@@ -144,26 +149,28 @@ std::string light_object(const LightRow& l) {
 }  // namespace
 
 std::string models_table(bool legend, const std::string& search) {
-  std::vector<TextRow> rows{
-      {{"id", "kind        ", "reciprocal", "conserves", "ambient dE2000   ", "title", "claim"}}};
+  std::vector<TextRow> rows{{{"id", "kind        ", "reciprocal", "conserves", "moving dE2000    ",
+                              "refined dE2000   ", "title", "claim"}}};
   for (const ModelRow& row : model_rows(search))
     rows.push_back({{std::string(row.id) + (row.is_default ? "*" : ""), std::string(row.kind),
-                     std::string(row.reciprocal), std::string(row.conserves), row.ambient,
+                     std::string(row.reciprocal), std::string(row.conserves), row.moving, row.refined,
                      std::string(row.title), std::string(row.note)}});
   std::string out = text_table(rows);
   if (legend)
     append(out, "\n* default of its kind. D, F, V: terms; any three make a model by the name ", composed_id,
            ",\nsuch as microfacet:ggx,f82-tint,smith-height. All models give f_r in 1/sr.\n"
-           "ambient dE2000: of the light of an environment, at gloss 0.2, 0.5, 0.8 and 1, mean over 15 "
-           "pictures.\n");
+           "moving, refined dE2000: of the light of an environment in the picture that moves and in that at "
+           "rest, at "
+           "gloss 0.2, 0.5, 0.8\nand 1, mean over 15 pictures.\n");
   return out;
 }
 
 std::string models_csv(const std::string& search) {
-  std::string out = "id,kind,reciprocal,conserves_energy,title,source,parameters,claim,ambient_error\n";
+  std::string out =
+      "id,kind,reciprocal,conserves_energy,title,source,parameters,claim,ambient_error,refined_error\n";
   for (const ModelRow& row : model_rows(search))
     append_csv_row(out, {row.id, row.kind, row.reciprocal, row.conserves, row.title, row.source,
-                         row.parameters, row.note, row.ambient});
+                         row.parameters, row.note, row.moving, row.refined});
   return out;
 }
 

@@ -20,6 +20,7 @@
 #include "core/material/names.h"
 #include "core/material/quality.h"
 #include "core/pages/lists/sources_file.h"
+#include "core/study/choose/choose.h"
 
 namespace etak {
 namespace {
@@ -75,6 +76,8 @@ Computed computed(const MaterialLibrary& library, const SourceRow& row) {
     for (const std::string& g : rest) out.value.push_back(Gloss(numbers_of(g)[0]).exponent());
   } else if (how == "contrast") {
     out.value = {rest.at(0) == "srgb" ? 1 / srgb_decode(1 / 255.0) : std::pow(255, 2.2)};
+  } else if (how == "cost") {
+    out.value = {shipped_costs().of(rest.at(0))};
   } else if (how == "lambert") {
     out.value = {2};  // of 1 / pi over the hemisphere's 2 pi
   } else if (const Function* const function = how == "eval" ? find_function(rest.at(0)) : nullptr) {
@@ -82,7 +85,7 @@ Computed computed(const MaterialLibrary& library, const SourceRow& row) {
     for (std::size_t i = 1; i < rest.size(); ++i) inputs.push_back(split_input(rest[i], place));
     out.value = {evaluate(*function, inputs, place)};
   } else {
-    throw Error::at(place, row.by, "f0, channels, Y, codes, gloss, contrast, lambert or eval FUNCTION");
+    throw Error::at(place, row.by, "f0, channels, Y, codes, gloss, contrast, cost, lambert or eval FUNCTION");
   }
   if (out.coded.empty()) out.coded = out.value;
   return out;

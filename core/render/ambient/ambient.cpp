@@ -316,7 +316,7 @@ void add_body(const Surface& surface, AmbientTable& out) {
 }  // namespace
 
 Textured held_by_textures(const Scene& scene) {
-  return scene.textures ? Textured{scene.textures->has.f0, scene.textures->has.gloss} : Textured{};
+  return {scene.textured().f0, scene.textured().gloss};
 }
 
 HemisphereForm hemisphere_form(const Scene& scene) {
@@ -349,8 +349,9 @@ std::shared_ptr<const AmbientTable> ambient_table(const Scene& scene, const Text
 
 Scene with_bright_lights(const Scene& scene, const Environment* environment, unsigned threads) {
   Scene out = scene;
-  // Under textures a model is evaluated texel by texel, which takes too long for so many lights.
-  const bool textured = scene.textures != nullptr;
+  // Under textures a model is evaluated texel by texel, which takes too long for so many lights; and lights are
+  // not occluded texel by texel.
+  const bool textured = scene.textured().values() || scene.textured().occlusion;
   if (!scene.refined || environment == nullptr || scene.specular == nullptr || textured) return out;
   out.bright_apart = ambient_table(scene, held_by_textures(scene))->samples.wide;
   if (!out.bright_apart) return out;

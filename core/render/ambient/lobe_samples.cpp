@@ -70,6 +70,84 @@ double level_of_mean(double cosine) {
   return std::clamp((12 - std::log2(std::max(exponent, 1.0))) / 1.5, sharpest_sample, dullest_sample);
 }
 
+// What each half vector sends to a viewer: the direction that the light comes from, the weight of f_r, and f_r behind
+// the directions that it is taken for.
+struct Reflected {
+  std::vector<Vec3> lights;
+  std::vector<double> weight;
+  std::array<std::vector<float>, 9> numbers;
+
+  explicit Reflected(std::size_t count) : lights(count), weight(count) {
+    for (auto& list : numbers) list.resize(count);
+  }
+  double light(std::size_t i, std::size_t channel) const {
+    return weight[i] * double{numbers[6 + channel][i]};
+  }
+};
+
+//   v         viewer in the frame of the half vectors, which is turned by `azimuth` about the normal
+void reflect(const Model& model, const std::vector<double>& values, const std::vector<CellPoint>& halves,
+             const Vec3& v, double azimuth, Reflected& out) {
+  const double turn_cos = std::cos(azimuth), turn_sin = std::sin(azimuth);
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    const Vec3& h = halves[i].h;
+    const double vh = dot(h, v);
+    const Vec3 l{2 * vh * h[0] - v[0], 2 * vh * h[1] - v[1], 2 * vh * h[2] - v[2]};
+    out.lights[i] = l;
+    out.weight[i] = vh > 0 && l[2] > 0 ? 4 * vh * l[2] * halves[i].solid_angle : 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vec3& d = k == 0 ? l : v;
+      out.numbers[3 * k][i] = static_cast<float>(d[0] * turn_cos - d[1] * turn_sin);
+      out.numbers[3 * k + 1][i] = static_cast<float>(d[0] * turn_sin + d[1] * turn_cos);
+      out.numbers[3 * k + 2][i] = static_cast<float>(d[2]);
+    }
+  }
+  const float* in[6];
+  float* rgb[3];
+  for (std::size_t k = 0; k < 6; ++k) in[k] = out.numbers[k].data();
+  for (std::size_t k = 0; k < 3; ++k) rgb[k] = out.numbers[6 + k].data();
+  model.f32_batch(halves.size(), in, values.data(), rgb);
+}
+
+// Writes the samples of a view into a line of the picture.
+void write_samples(const std::vector<CellPoint>& halves, const Reflected& from, const Vec3& v, bool grey,
+                   int line, LobeSamples& out) {
+  std::vector<Vec3> shares(static_cast<std::size_t>(out.count));
+  Vec3 total{};
+  for (std::size_t cell = 0; cell < shares.size(); ++cell) {
+    Vec3 mean{};
+    double all = 0;
+    for (std::size_t i = cell * each; i < (cell + 1) * each; ++i) {
+      if (!(from.weight[i] > 0)) continue;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double light = from.light(i, c);
+        shares[cell][c] += light;
+        all += light;
+        for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += light * from.lights[i][axis];
+      }
+    }
+    const double length = std::sqrt(dot(mean, mean));
+    Vec3 h = halves[cell * each + each / 2].h;
+    double level = dullest_sample;
+    if (length > 0) {
+      for (std::size_t axis = 0; axis < 3; ++axis) h[axis] = mean[axis] / length + v[axis];
+      h = scaled(h, 1 / std::sqrt(dot(h, h)));
+      level = level_of_mean(length / all);
+    }
+    const auto to = out.picture.at(int(cell), line);
+    for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = static_cast<float>(h[axis]);
+    to[3] = static_cast<float>(level);
+    for (std::size_t c = 0; c < 3; ++c) total[c] += shares[cell][c];
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t of = grey ? 1 : c;
+    for (std::size_t cell = 0; cell < shares.size(); ++cell)
+      out.picture.at(out.count + int(cell), line)[c] =
+          static_cast<float>(total[of] > 0 ? shares[cell][of] / total[of] : 1.0 / out.count);
+    out.picture.at(2 * out.count, line)[c] = static_cast<float>(total[c]);
+  }
+}
+
 }  // namespace
 
 void set_lobe_samples(const Model& model, const std::vector<double>& values, bool grey, double azimuth,
@@ -81,67 +159,12 @@ void set_lobe_samples(const Model& model, const std::vector<double>& values, boo
     out.count = int(halves.size() / each);
     out.picture = Image(2 * out.count + 1, out.views * out.rows, 4);
   }
-  const double turn_cos = std::cos(azimuth), turn_sin = std::sin(azimuth);
-  std::array<std::vector<float>, 9> numbers;
-  for (auto& list : numbers) list.resize(halves.size());
-  std::vector<double> weight(halves.size());
-  std::vector<Vec3> lights(halves.size());
+  Reflected light(halves.size());
   for (int view = 0; view < out.views; ++view) {
     const double root = double(view) / (out.views - 1), nv = std::max(root * root, 1e-3);
     const Vec3 v{std::sqrt((1 - nv) * (1 + nv)), 0, nv};
-    for (std::size_t i = 0; i < halves.size(); ++i) {
-      const Vec3& h = halves[i].h;
-      const double vh = dot(h, v);
-      const Vec3 l{2 * vh * h[0] - v[0], 2 * vh * h[1] - v[1], 2 * vh * h[2] - v[2]};
-      lights[i] = l;
-      weight[i] = vh > 0 && l[2] > 0 ? 4 * vh * l[2] * halves[i].solid_angle : 0;
-      for (std::size_t k = 0; k < 2; ++k) {
-        const Vec3& d = k == 0 ? l : v;
-        numbers[3 * k][i] = static_cast<float>(d[0] * turn_cos - d[1] * turn_sin);
-        numbers[3 * k + 1][i] = static_cast<float>(d[0] * turn_sin + d[1] * turn_cos);
-        numbers[3 * k + 2][i] = static_cast<float>(d[2]);
-      }
-    }
-    const float* in[6];
-    float* rgb[3];
-    for (std::size_t k = 0; k < 6; ++k) in[k] = numbers[k].data();
-    for (std::size_t k = 0; k < 3; ++k) rgb[k] = numbers[6 + k].data();
-    model.f32_batch(halves.size(), in, values.data(), rgb);
-    std::vector<Vec3> shares(static_cast<std::size_t>(out.count));
-    Vec3 total{};
-    for (std::size_t cell = 0; cell < shares.size(); ++cell) {
-      Vec3 mean{};
-      double all = 0;
-      for (std::size_t i = cell * each; i < (cell + 1) * each; ++i) {
-        if (!(weight[i] > 0)) continue;
-        for (std::size_t c = 0; c < 3; ++c) {
-          const double light = weight[i] * double{rgb[c][i]};
-          shares[cell][c] += light;
-          all += light;
-          for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += light * lights[i][axis];
-        }
-      }
-      const double length = std::sqrt(dot(mean, mean));
-      Vec3 h = halves[cell * each + each / 2].h;
-      double level = dullest_sample;
-      if (length > 0) {
-        for (std::size_t axis = 0; axis < 3; ++axis) h[axis] = mean[axis] / length + v[axis];
-        h = scaled(h, 1 / std::sqrt(dot(h, h)));
-        level = level_of_mean(length / all);
-      }
-      const auto to = out.picture.at(int(cell), row * out.views + view);
-      for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = static_cast<float>(h[axis]);
-      to[3] = static_cast<float>(level);
-      for (std::size_t c = 0; c < 3; ++c) total[c] += shares[cell][c];
-    }
-    const int line = row * out.views + view;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::size_t of = grey ? 1 : c;
-      for (std::size_t cell = 0; cell < shares.size(); ++cell)
-        out.picture.at(out.count + int(cell), line)[c] =
-            static_cast<float>(total[of] > 0 ? shares[cell][of] / total[of] : 1.0 / out.count);
-      out.picture.at(2 * out.count, line)[c] = static_cast<float>(total[c]);
-    }
+    reflect(model, values, halves, v, azimuth, light);
+    write_samples(halves, light, v, grey, row * out.views + view, out);
   }
 }
 

@@ -39,7 +39,7 @@ class GlRunner {
   std::optional<std::string> compile_error(const std::string& vertex, const std::string& fragment);
 
   /// Draws the same picture as render_cpu(): linear radiance over the background, and the object's coverage
-  /// as fourth channel. Throws Error for scenes that validate() refuses and for scenes with textures.
+  /// as fourth channel. Throws Error for scenes that validate() refuses.
   ///   gpu_ms   where given, gets the milliseconds of the drawing alone by OpenGL's own clock
   ///            (GL_TIME_ELAPSED); nullopt where there is no such clock. A software rasteriser goes on
   ///            drawing after that clock has stopped: of the 4 to 8 ms of llvmpipe the clock sees 0.1 to 5

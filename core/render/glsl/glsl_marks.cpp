@@ -6,7 +6,7 @@
 namespace etak {
 
 void marks_text(GlslGlue& glue, const Scene& scene, const std::string& body_color) {
-  const bool textured = scene.textures != nullptr;
+  const bool textured = scene.textured().values();
   const std::vector<float>& energy = scene.mark_energy;
   const bool zone = scene.mark_zone;
   // Only windows can ask for stripes, so the feature is listed for their scenes alone (those with a view).

@@ -96,14 +96,19 @@ std::string model_call(GlslGlue& glue, const std::string& part, const Model& mod
     if (parameter.role == Role::diffuse && textures != nullptr && textures->alpha == TextureUse::Alpha::blend)
       call += " * texel_opacity";
   }
-  if (textures != nullptr && textures->gloss && model.derived_count() > 0)
+  if (textures != nullptr && textures->gloss && model.derives_from_width())
     throw Error::at(std::string(model.id), "has numbers that are computed from gloss beforehand",
                     "a model that can take gloss from a texture, such as schueler-optimized or ggx-schlick");
   std::vector<double> derived(model.derived_count());
   model.derive(values.data(), derived.data());
-  for (std::size_t i = 0; i < derived.size(); ++i) {
-    const std::string uniform = part + '_' + std::string(model.derived[i].name);
-    glue.uniform(uniform, derived[i]);
+  at = 0;
+  for (const Parameter& each : model.derived) {
+    const std::string uniform = part + '_' + std::string(each.name);
+    if (each.color)
+      glue.uniform(uniform, Vec3{derived[at], derived[at + 1], derived[at + 2]});
+    else
+      glue.uniform(uniform, derived[at]);
+    at += each.color ? 3 : 1;
     call += ", " + uniform;
   }
   if (!model.text.empty()) glue.line(real_literals(model.text));

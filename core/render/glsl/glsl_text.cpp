@@ -32,7 +32,8 @@ class SceneText {
         backdrop_apart_(backdrop_apart),
         textures_(textures),
         camera_(scene),
-        textured_(scene.textures != nullptr),
+        textured_(scene.textured().values()),
+        emits_(!is_black(scene.surface.emission)),
         opacity_(textures != nullptr ? 1 : scene.surface.opacity),
         any_light_(std::ranges::any_of(scene.lights.lights, shines)) {}
 
@@ -53,20 +54,22 @@ class SceneText {
     framed_ = any_light_ && glsl_reads_member(glue_.code() + specular_ + diffuse_, "hu2");
     light_code_ += light_loops(glue_, scene_, any_light_, framed_);
     areas();
-    const bool occluded = scene_.surface.occlusion < 1;
+    const SurfaceTextures::Quantities has = scene_.textured();
+    const bool occluded = has.occlusion || scene_.surface.occlusion < 1;
     if (occluded) light_code_ += "  vec3 direct = sum;\n  sum = vec3(0.0);\n";
     if (scene_.lights.hemispheres || !scene_.lights.environment.empty()) make_ambient();
     hemispheres();
     environment();
     if (occluded) {
       glue_.uniform("occlusion", scene_.surface.occlusion);
-      light_code_ += "  sum = direct + occlusion * sum;\n";
+      light_code_ += std::string("  sum = direct + occlusion") + (has.occlusion ? " * emission_here.w" : "") +
+                     " * sum;\n";
       glue_.use("occlusion", "a factor of hemispheres and environment");
     }
-    if (!is_black(scene_.surface.emission)) {
+    if (emits_) {
       glue_.uniform("emission", scene_.surface.emission);
-      light_code_ += "  sum += emission;\n";
-      glue_.use("emission", "a colour");
+      light_code_ += std::string("  sum += emission") + (has.emission ? " * emission_here.xyz" : "") + ";\n";
+      glue_.use("emission", has.emission ? "a colour times the texture" : "a colour");
     }
     glue_.line(drawn_to);
     if (any_light_ && has_discrete(scene_))
@@ -111,20 +114,25 @@ class SceneText {
 
   // Declares the scene's textures, and the global variables that main() sets to the texels of its pixel.
   void textures() {
-    if (!textured_) {
-      if (scene_.view) glue_.leave_out("textures", "the surface is the same everywhere");
-      return;
-    }
-    const SurfaceTextures::Quantities& has = scene_.textures->has;
-    const SurfaceValues& surface = scene_.surface;
-    texel_of("body", has.diffuse, surface.diffuse, has.opacity, surface.opacity);
-    texel_of("gloss", has.f0, surface.f0, has.gloss, surface.gloss);
+    const SurfaceTextures::Quantities has = scene_.textured();
+    const bool emission = has.emission && emits_;
     std::string held;
     for (const auto& [is_held, quantity] :
          {std::pair(has.diffuse, "diffuse"), std::pair(has.opacity, "opacity"), std::pair(has.f0, "F0"),
-          std::pair(has.gloss, "gloss")})
+          std::pair(has.gloss, "gloss"), std::pair(emission, "emission"),
+          std::pair(has.occlusion, "occlusion")})
       if (is_held) held += (held.empty() ? "" : ", ") + std::string(quantity);
-    glue_.use("textures", held.empty() ? "they hold nothing" : held);
+    if (held.empty()) {
+      if (scene_.view) glue_.leave_out("textures", "the surface is the same everywhere");
+      return;
+    }
+    const SurfaceValues& surface = scene_.surface;
+    if (textured_) {
+      texel_of("body", has.diffuse, surface.diffuse, has.opacity, surface.opacity);
+      texel_of("gloss", has.f0, surface.f0, has.gloss, surface.gloss);
+    }
+    if (emission || has.occlusion) texel_of("emission", true, {}, true, 0);
+    glue_.use("textures", held);
   }
 
   // Declares the texture `name` and the variable of its texel. What the texture does not hold is a uniform.
@@ -287,7 +295,7 @@ class SceneText {
     glue_.use("shape", sphere ? "sphere" : "quad");
     glue_.use("camera", scene_.perspective ? "perspective" : "orthographic");
     camera_text(glue_, scene_, camera_, backdrop_apart_);
-    if (textured_) {
+    if (!texels_.empty()) {
       glue_.line(sphere ? "    vec2 texel_at = sphere_texel(p);" : "    vec2 texel_at = square_texel(p);");
       glue_.line(texels_);
     }
@@ -308,6 +316,7 @@ class SceneText {
     glue_.line("in vec3 mesh_position;\nin vec3 mesh_normal;\nin vec2 mesh_texel;\n\nvoid main() {");
     glue_.line(
         "  vec3 p = mesh_position;\n  vec3 n = normalize(mesh_normal);\n  vec3 v = normalize(viewer - p);");
+    if (!texels_.empty()) glue_.line("    vec2 texel_at = mesh_texel;\n" + texels_);
     if (fetching_) glue_.line("  fetch(mesh_texel * vec2(2.0, -2.0) + vec2(-1.0, 1.0));");
     glue_.line("  vec3 color = shade(p, n, v);");
     const std::string alpha = mesh_alpha();
@@ -383,7 +392,7 @@ class SceneText {
   const bool backdrop_apart_;   // whether the backdrop beside the object is drawn by itself
   const TextureUse* textures_;  // what is fetched from an atlas; null: nothing
   const Camera camera_;
-  const bool textured_;
+  const bool textured_, emits_;
   const double opacity_;
   GlslGlue glue_;
   std::string specular_, diffuse_, light_code_;  // the calls of the models, and the sum over the lights

@@ -42,7 +42,7 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
   // etak itself has encoded the codes as sRGB, and a material without textures is meant to be constant.
   Settings own = settings;
   own.transfer_stated = true;
-  if (!has_textures(material)) {
+  if (!has_packed_textures(material)) {
     for (const char* rule : {"ETK301", "ETK503"}) own.rules[rule].severity = Severity::off;
     target.manifest.transparent = material.alpha_mode == AlphaMode::blend;
   }
@@ -50,18 +50,18 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
   // In the mode opaque nothing reads the alpha, constant or not.
   const bool opaque = material.alpha_mode == AlphaMode::opaque;
   if (opaque) own.rules["ETK503"].severity = Severity::off;
-  if (!has_textures(material) && black_is_right(material, library))
+  if (!has_packed_textures(material) && black_is_right(material, library))
     own.rules["ETK202"].severity = Severity::off;
   CheckedFile out;
   const auto look = [&](MaterialPair& pair) {
-    if (opaque || !has_textures(material)) {
+    if (opaque || !has_packed_textures(material)) {
       // A constant alpha hides no texel: the surface reflects by its F0 even where the body is transparent.
       std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
       for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
     }
     out = check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, threads);
   };
-  if (kept != nullptr && has_textures(material)) {
+  if (kept != nullptr && has_packed_textures(material)) {
     kept->use(material, library, door, most_texels, look);
   } else {
     MaterialPair pair = pictures_of(material, library, door, most_texels);

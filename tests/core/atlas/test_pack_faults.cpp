@@ -75,8 +75,7 @@ TEST_CASE("a NaN in a float picture is refused, and values out of range are coun
   CHECK(contains(packing_fault(folder, manifest_of({text}), options), "no finite number"));
 }
 
-TEST_CASE(
-    "found 4.03: a picture that is exported anew while the atlas is made is told, and nothing is written") {
+TEST_CASE("a picture that is exported anew while the atlas is made is told, and nothing is written") {
   const TempFolder folder;
   add_noise_material(folder, "a", 32, 32, 1);
   const std::string picture = folder.file("a_diffuse.png");

@@ -7,7 +7,7 @@
 
 using etak::edit_distance;
 
-TEST_CASE("found 1.09: two neighbours exchanged are one edit") {
+TEST_CASE("two neighbours exchanged are one edit") {
   CHECK(edit_distance("glod", "gold") == 1);
   CHECK(edit_distance("chromuim", "chromium") == 1);
   CHECK(edit_distance("ab", "ba") == 1);

@@ -40,7 +40,7 @@ std::thread writer(const std::string& path, std::string bytes) {
 
 }  // namespace
 
-TEST_CASE("found 1.08: a pipe that the user named is read as often as a file, by any spelling of its path") {
+TEST_CASE("a pipe that the user named is read as often as a file, by any spelling of its path") {
   const TempFolder folder;
   const std::string path = named_pipe(folder, "named.csv");
   CHECK(accept_input(path) == path);
@@ -60,7 +60,7 @@ TEST_CASE("found 1.08: a pipe that the user named is read as often as a file, by
   other.join();
 }
 
-TEST_CASE("found 1.08: a pipe that nobody named is refused without being opened") {
+TEST_CASE("a pipe that nobody named is refused without being opened") {
   const TempFolder folder;
   const std::string path = named_pipe(folder, "unnamed.csv");
   CHECK_FALSE(is_pipe_input(path));
@@ -72,7 +72,7 @@ TEST_CASE("found 1.08: a pipe that nobody named is refused without being opened"
   CHECK(::open(path.c_str(), O_WRONLY | O_NONBLOCK) == -1);
 }
 
-TEST_CASE("found 1.08: a pipe without a writer is waited for no longer than asked") {
+TEST_CASE("a pipe without a writer is waited for no longer than asked") {
   const TempFolder folder;
   const std::string path = named_pipe(folder, "silent.csv");
   (void)accept_input(path);
@@ -91,7 +91,7 @@ TEST_CASE("found 1.08: a pipe without a writer is waited for no longer than aske
   other.join();
 }
 
-TEST_CASE("found 1.08: devices, sockets and folders are refused, named by the user or not") {
+TEST_CASE("devices, sockets and folders are refused, named by the user or not") {
   const TempFolder folder;
   CHECK(contains(error_of([] { (void)read_file(accept_input("/dev/zero")); }), "/dev/zero: is a device"));
   CHECK(contains(error_of([&] { (void)read_file(folder.path()); }), "is a folder"));
@@ -107,8 +107,7 @@ TEST_CASE("found 1.08: devices, sockets and folders are refused, named by the us
   CHECK(contains(error_of([&] { (void)read_file(accept_input(path)); }), "s: is a socket"));
 }
 
-TEST_CASE(
-    "found 1.08: a descriptor has a name that lies in no folder, and is refused where nobody named it") {
+TEST_CASE("a descriptor has a name that lies in no folder, and is refused where nobody named it") {
   int ends[2] = {-1, -1};
   REQUIRE(::pipe(ends) == 0);
   const Descriptor read_end(ends[0]);

@@ -41,7 +41,7 @@ TEST_CASE("equal keys, depth and broken text are refused") {
   CHECK(contains(error_of([] { (void)parse(""); }), "f.json"));
 }
 
-TEST_CASE("found 4.02: reading takes time in proportion to the text") {
+TEST_CASE("reading takes time in proportion to the text") {
   const auto read = [](const std::string& text) { (void)parse(text); };
   const auto objects = [](std::size_t count) {
     return listed(

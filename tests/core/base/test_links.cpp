@@ -20,7 +20,7 @@ void link_to(const std::string& target, const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("found 4.11: links that lead out of a document's folder are told with their target") {
+TEST_CASE("links that lead out of a document's folder are told with their target") {
   const TempFolder outer;
   std::filesystem::create_directories(outer.file("scene/maps"));
   std::filesystem::create_directories(outer.file("near"));

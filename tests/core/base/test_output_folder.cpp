@@ -131,7 +131,7 @@ TEST_CASE("strangers move along, links and folders too; old files that are named
   CHECK((after.st_mode & 0777) == 0750);
 }
 
-TEST_CASE("found 4.01: a name that leads out of the folder is neither written nor removed") {
+TEST_CASE("a name that leads out of the folder is neither written nor removed") {
   const test::TempFolder folder;
   const std::string target = folder.file("out");
   put(target, {{"layout.json", "1"}});

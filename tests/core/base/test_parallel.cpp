@@ -39,7 +39,7 @@ TEST_CASE("every index is visited exactly once, for any count, chunk and number 
       }
 }
 
-TEST_CASE("found 4.04: without threads the caller does the work alone") {
+TEST_CASE("without threads the caller does the work alone") {
   // In a process of its own, since the limit stays. A stack of more than the address space cannot be had.
   const pid_t child = ::fork();
   REQUIRE(child >= 0);

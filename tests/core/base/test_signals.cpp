@@ -59,7 +59,7 @@ TEST_CASE("a thread that holds signals twice ends when it lets the first of them
   CHECK(died_of(status, SIGTERM));
 }
 
-TEST_CASE("found 4.09: a signal that ends the program takes what is half-made with it") {
+TEST_CASE("a signal that ends the program takes what is half-made with it") {
   const test::TempFolder folder;
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     const int status = status_of_child([&] {
@@ -142,7 +142,7 @@ TEST_CASE("a signal that was ignored from the start stays so") {
   CHECK(WEXITSTATUS(status) == 0);
 }
 
-TEST_CASE("found 4.09: a file beyond the limit of its size is an error") {
+TEST_CASE("a file beyond the limit of its size is an error") {
   const test::TempFolder folder;
   const int status = status_of_child([&] {
     const rlimit small{1000, 1000};

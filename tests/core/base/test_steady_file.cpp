@@ -46,7 +46,7 @@ TEST_CASE("a file looked at piece by piece, in any order, has the bytes of the w
   CHECK_NOTHROW(file.check_unchanged());
 }
 
-TEST_CASE("found 4.03: a file that shrinks between two reads is an error that names it and both sizes") {
+TEST_CASE("a file that shrinks between two reads is an error that names it and both sizes") {
   const TempFolder folder;
   const std::string path = folder.file("a.bin");
   spit(path, some_bytes(6000000));
@@ -65,7 +65,7 @@ TEST_CASE("found 4.03: a file that shrinks between two reads is an error that na
   CHECK(file.read_what_is_there(699996, to, 8) == 4);
 }
 
-TEST_CASE("found 4.03: a file that is written or replaced while it is read is told from one that stays") {
+TEST_CASE("a file that is written or replaced while it is read is told from one that stays") {
   const TempFolder folder;
   const std::string path = folder.file("a.bin");
   spit(path, "0123456789");

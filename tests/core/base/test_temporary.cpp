@@ -45,7 +45,7 @@ TEST_CASE("a temporary has a random name beside its target and goes with its obj
   CHECK(names_in(open.get()).empty());
 }
 
-TEST_CASE("found 4.09: what a killed run left goes with the next run to the same target") {
+TEST_CASE("what a killed run left goes with the next run to the same target") {
   const test::TempFolder folder;
   test::spit(folder.file(".a.json.etak-abcdef"), "half");
   test::spit(folder.file(".b.json.etak-abcdef"), "of another target");
@@ -63,7 +63,7 @@ TEST_CASE("found 4.09: what a killed run left goes with the next run to the same
   CHECK(test::slurp(folder.file("precious")) == "precious");
 }
 
-TEST_CASE("found 4.13: names up to the longest that the file system takes") {
+TEST_CASE("names up to the longest that the file system takes") {
   const test::TempFolder folder;
   for (const std::size_t length : {200U, 242U, 243U, 246U, 255U}) {
     const std::string name(length, 'n');

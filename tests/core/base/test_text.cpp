@@ -32,7 +32,7 @@ TEST_CASE("parts are joined as they are, by a function or by a member") {
   CHECK(joined(std::vector<Named>{{"x"}, {"y"}}, "|", &Named::name) == "x|y");
 }
 
-TEST_CASE("found 1.11: numbers with fixed decimals stay short, however large they are") {
+TEST_CASE("numbers with fixed decimals stay short, however large they are") {
   CHECK(fixed(0.5, 1) == "0.5");
   CHECK(fixed(-0.001, 2) == "0.00");
   CHECK(fixed(999999999999999, 1) == "999999999999999.0");
@@ -44,7 +44,7 @@ TEST_CASE("found 1.11: numbers with fixed decimals stay short, however large the
   CHECK(fixed(std::numeric_limits<double>::quiet_NaN(), 4) == "nan");
 }
 
-TEST_CASE("found 4.06: a line shows by its number what a terminal or a build would act on") {
+TEST_CASE("a line shows by its number what a terminal or a build would act on") {
   CHECK(line_text("gold, \"fine\" \\ 100 % <b>") == "gold, \"fine\" \\ 100 % <b>");
   CHECK(line_text("Å µm 金 🙂 a\u00A0b") == "Å µm 金 🙂 a\u00A0b");
   CHECK(line_text(std::string_view("\0\x1b]0;t\x07\r\n\t\x7f", 11)) ==
@@ -73,7 +73,7 @@ TEST_CASE("two colons behind any blank of Unicode begin no command of a build") 
     CHECK(line_text(active + std::string("::error")).starts_with("\\"));
 }
 
-TEST_CASE("found 4.06: JSON holds the true text and no character that acts") {
+TEST_CASE("JSON holds the true text and no character that acts") {
   for (const std::string text : {"\x1b\x7f\u009b\u202e\n::error", "##[error] \\ \" Å 金", "\u2028\u2066"}) {
     const std::string written = json(text);
     CHECK(nlohmann::json::parse(written) == text);
@@ -87,7 +87,7 @@ TEST_CASE("found 4.06: JSON holds the true text and no character that acts") {
   CHECK(quiet_json("{\n  \"a\": \"Å\"\n}") == "{\n  \"a\": \"Å\"\n}");
 }
 
-TEST_CASE("found 4.06: a text cell of CSV is no formula and one line; numbers stay numbers") {
+TEST_CASE("a text cell of CSV is no formula and one line; numbers stay numbers") {
   CHECK(csv_field("gold") == "gold");
   CHECK(csv_field("a,b") == "\"a,b\"");
   CHECK(csv_field("a\"b") == "\"a\"\"b\"");
@@ -102,7 +102,7 @@ TEST_CASE("found 4.06: a text cell of CSV is no formula and one line; numbers st
   CHECK(csv_field("") == "");
 }
 
-TEST_CASE("found 4.06: text in HTML neither ends its element nor acts on a terminal that shows the page") {
+TEST_CASE("text in HTML neither ends its element nor acts on a terminal that shows the page") {
   CHECK(escape_html("<script>\"'&") == "&lt;script&gt;&quot;&#39;&amp;");
   CHECK(escape_html("a\n::b\tc\x1b\u202e") == "a \\x3a:b c\\x1b\\u202e");
   CHECK(padded("\nÅ", 7) == "\\x0aÅ  ");
@@ -120,7 +120,7 @@ TEST_CASE("the front of a text is made of whole characters") {
   CHECK(front_of("", 5).empty());
 }
 
-TEST_CASE("found 4.13: the front of a wide text takes time for the front, its width for the text") {
+TEST_CASE("the front of a wide text takes time for the front, its width for the text") {
   const auto wide = [](std::size_t count) {
     std::string out;
     for (std::size_t i = 0; i < count; ++i) out += "金";

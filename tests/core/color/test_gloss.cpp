@@ -9,8 +9,7 @@
 using namespace etak;
 using namespace etak::test;
 
-TEST_CASE(
-    "found 1.06: a given roughness keeps its own width from 0 to 1, a gloss goes no further than its ends") {
+TEST_CASE("a given roughness keeps its own width from 0 to 1, a gloss goes no further than its ends") {
   for (const double r : {0.0, 0.05, 0.1486, 0.25, 0.5, 0.9, 0.95, 1.0}) {
     const Gloss gloss = Gloss::of_roughness(r);
     CHECK(gloss.roughness() == r);
@@ -26,7 +25,7 @@ TEST_CASE(
   CHECK(Gloss::of_roughness(1).exponent() == 0);
 }
 
-TEST_CASE("found 1.06: gloss and roughness go back and forth inside 0.149 to 0.904, and only there") {
+TEST_CASE("gloss and roughness go back and forth inside 0.149 to 0.904, and only there") {
   for (const double g : {0.0, 0.1, 0.25, 0.5, 0.75, 1.0}) {
     const double r = roughness_of_gloss(g);
     CHECK(gloss_of_roughness(r) == Approx(g).margin(1e-12));
@@ -79,7 +78,7 @@ TEST_CASE("a gloss is a number, and a number put into it forgets the roughness")
   CHECK(std::isnan(double{Gloss::of_roughness(std::nan(""))}));
 }
 
-TEST_CASE("found 1.06: what a gloss cannot hold is said in numbers") {
+TEST_CASE("what a gloss cannot hold is said in numbers") {
   CHECK(held_text(Gloss::of_roughness(0.5)).empty());
   CHECK(held_text(Gloss(0)).empty());
   CHECK(held_text(Gloss::of_roughness(0)) ==

@@ -60,8 +60,7 @@ std::string all_notes(const ExportSurface& s) {
 
 }  // namespace
 
-TEST_CASE(
-    "found 1.05: each target that knows of transmission gets it with the index, and the others a remark") {
+TEST_CASE("each target that knows of transmission gets it with the index, and the others a remark") {
   const ExportSurface s = glass();
   const EngineValues gltf = values("gltf", s);
   CHECK(test::field(gltf, "KHR_materials_transmission.transmissionFactor").values == std::vector<double>{1});
@@ -97,7 +96,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("found 1.05: without absorption nothing is written of it, and opaque bodies get none of this") {
+TEST_CASE("without absorption nothing is written of it, and opaque bodies get none of this") {
   ExportSurface s = glass();
   s.clear = ClearBody{};
   CHECK(!has_field(values("gltf", s), "KHR_materials_volume.attenuationDistance"));
@@ -115,7 +114,7 @@ TEST_CASE("found 1.05: without absorption nothing is written of it, and opaque b
   }
 }
 
-TEST_CASE("found 1.05: files of clear materials hold transmission, volume and index") {
+TEST_CASE("files of clear materials hold transmission, volume and index") {
   const std::vector<ExportSurface> surfaces{clear_of_library("water"), clear_of_library("diamond"),
                                             clear_of_library("gold"),
                                             clear_of_library("pmma", {0.5, 0.04, 0.03})};
@@ -141,7 +140,7 @@ TEST_CASE("found 1.05: files of clear materials hold transmission, volume and in
   CHECK(!contains(archived, "transmission"));
 }
 
-TEST_CASE("found 1.05: the index of water, diamond and glass goes to the targets as that of their F0") {
+TEST_CASE("the index of water, diamond and glass goes to the targets as that of their F0") {
   // n at 550 nm: Daimon 1.3342 (20 C), Peter 2.4237, Malitson 1.4599.
   for (const auto& [id, n] : {std::pair{"water", 1.3342}, {"diamond", 2.4237}, {"fused_silica", 1.4599}}) {
     const ExportSurface s = clear_of_library(id);
@@ -156,7 +155,7 @@ TEST_CASE("found 1.05: the index of water, diamond and glass goes to the targets
   }
 }
 
-TEST_CASE("found 1.05: a body that is not clear says why it is black") {
+TEST_CASE("a body that is not clear says why it is black") {
   CHECK(contains(all_notes(clear_of_library("soot")), "the body is taken as black"));
   CHECK(contains(all_notes(clear_of_library("blood")), "cells scatter"));
   CHECK(contains(all_notes(clear_of_library("air")), "a gas has no surface"));
@@ -164,7 +163,7 @@ TEST_CASE("found 1.05: a body that is not clear says why it is black") {
   CHECK(!clear_of_library("gold").clear);
 }
 
-TEST_CASE("found 1.06: targets of roughness get exactly what was given, from mirror to paper") {
+TEST_CASE("targets of roughness get exactly what was given, from mirror to paper") {
   ExportSurface s = glass();
   s.clear.reset();
   for (const double r : {0.0, 0.1, 0.5, 1.0}) {
@@ -185,7 +184,7 @@ TEST_CASE("found 1.06: targets of roughness get exactly what was given, from mir
   }
 }
 
-TEST_CASE("found 1.06: where Schueler's gloss cannot hold the roughness, the change is told") {
+TEST_CASE("where Schueler's gloss cannot hold the roughness, the change is told") {
   ExportSurface s = glass();
   for (const auto& [r, g, nearest] :
        {std::tuple{0.0, 1.0, roughness_of_gloss(1)}, {1.0, 0.0, roughness_of_gloss(0)}}) {
@@ -204,7 +203,7 @@ TEST_CASE("found 1.06: where Schueler's gloss cannot hold the roughness, the cha
   CHECK(contains(error_of([&] { validate(s); }), "roughness 1.5"));
 }
 
-TEST_CASE("found 1.06: without a word the class decides, and says that it is a convention") {
+TEST_CASE("without a word the class decides, and says that it is a convention") {
   CHECK(clear_of_library("gold").gloss == Gloss(0.75));
   CHECK(clear_of_library("cardboard").gloss.roughness() == 0.9);
   CHECK(clear_of_library("water").gloss.roughness() == 0);
@@ -255,7 +254,7 @@ Vec3 total_of(const std::string& target, const EngineValues& v) {
 }  // namespace
 
 TEST_CASE(
-    "found 1.07: every measured total comes out of every target again at normal incidence, and where a "
+    "every measured total comes out of every target again at normal incidence, and where a "
     "channel has less than the assumed F0 that") {
   const MaterialLibrary library = MaterialLibrary::builtin();
   std::size_t surfaces = 0, saturated = 0;
@@ -291,8 +290,7 @@ TEST_CASE(
   CHECK(saturated >= 18);
 }
 
-TEST_CASE(
-    "found 1.07: the lobe and Lambert's body reflect the measured total, as integrated over the hemisphere") {
+TEST_CASE("the lobe and Lambert's body reflect the measured total, as integrated over the hemisphere") {
   const ExportSurface s = clear_of_library("brick", {}, Gloss(0.75));
   const Model& lobe = *find_model("ggx-schlick");
   for (std::size_t c = 0; c < 3; ++c) {

@@ -10,7 +10,7 @@
 using namespace etak;
 using namespace etak::test;
 
-TEST_CASE("found 1.08: content tells its kind by its first bytes") {
+TEST_CASE("content tells its kind by its first bytes") {
   CHECK(content_kind("glTF\x02") == ContentKind::gltf);
   CHECK(content_kind(R"({"accessors": [], "asset": {"version": "2.0"}})") == ContentKind::gltf);
   CHECK(content_kind("\xEF\xBB\xBF {\"schema\": \"etak-material/1\", \"datasets\": []}") ==
@@ -23,7 +23,7 @@ TEST_CASE("found 1.08: content tells its kind by its first bytes") {
   CHECK(content_kind(" \n\n") == ContentKind::prose);
 }
 
-TEST_CASE("found 1.22: a table that is broken is a table, prose that speaks of one is not") {
+TEST_CASE("a table that is broken is a table, prose that speaks of one is not") {
   CHECK(content_kind("wavelength (nm) n k\nx y z\n") == ContentKind::table);
   CHECK(content_kind("wavelength_um;n;kk\n") == ContentKind::table);
   CHECK(content_kind("400 1.5 three\n") == ContentKind::table);
@@ -32,7 +32,7 @@ TEST_CASE("found 1.22: a table that is broken is a table, prose that speaks of o
   CHECK(content_kind("1.2.0 first release\n\n* n\n* k\n") == ContentKind::prose);
 }
 
-TEST_CASE("found 1.08: every material file of the library is told to be JSON") {
+TEST_CASE("every material file of the library is told to be JSON") {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() + "/materials"))
     if (entry.path().extension() == ".json") {
       INFO(entry.path());

@@ -41,7 +41,7 @@ TEST_CASE("rows of a PNG that is read piece by piece are those of the picture, a
   CHECK(read.values == image.values);
 }
 
-TEST_CASE("found 4.03: a picture that shrinks between two rows is an error that says so, not a SIGBUS") {
+TEST_CASE("a picture that shrinks between two rows is an error that says so, not a SIGBUS") {
   const TempFolder folder;
   const std::string path = folder.file("a.png");
   const std::string bytes = png_of(noise(1300));  // above 4 MiB
@@ -60,7 +60,7 @@ TEST_CASE("found 4.03: a picture that shrinks between two rows is an error that 
   }
 }
 
-TEST_CASE("found 4.03: a picture that is written anew while it is read is told from a damaged one") {
+TEST_CASE("a picture that is written anew while it is read is told from a damaged one") {
   const TempFolder folder;
   const std::string path = folder.file("a.png");
   const std::string bytes = png_of(noise(1300));

@@ -186,7 +186,7 @@ class ForgetfulBytes : public ByteSource {
 
 }  // namespace
 
-TEST_CASE("found 4.03: a file is read as rows are asked for, whatever the size of its chunks") {
+TEST_CASE("a file is read as rows are asked for, whatever the size of its chunks") {
   const Image8 image = picture<std::uint8_t>(301, 267, 4);
   const std::string bytes = png_bytes(image, {});
   std::string data;

@@ -3,6 +3,7 @@
 // refuse.
 #include "core/light/functions.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -10,6 +11,8 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/light/rows.h"
+#include "tests/support.h"
 
 using namespace etak;
 
@@ -331,7 +334,7 @@ TEST_CASE("transfer, lights, transparency") {
   CHECK(eval("fresnel_opacity", "alpha=0.25;K=0.04;nv=1") == near_to(1 - 0.75 * 0.96));
 }
 
-TEST_CASE("found 1.20: every function of n and k takes n = 0, a metal without loss, in its limit") {
+TEST_CASE("every function of n and k takes n = 0, a metal without loss, in its limit") {
   for (const char* inputs : {"n=0;k=5", "n=1e-300;k=5", "n=0;k=1e-300", "n=1e-300;k=0", "n=0;k=1e6"}) {
     INFO(inputs);
     CHECK(eval("f0", inputs) == 1);
@@ -422,4 +425,35 @@ TEST_CASE("the helper functions of the sources are there by themselves") {
   CHECK(eval("H", "theta_l=60;theta_v=0;phi_v=0;axis=z") == near_to(std::sqrt(0.75)));
   CHECK(eval("H", "theta_l=90;theta_v=90;phi_v=90;axis=x") == near_to(std::sqrt(0.5)));
   CHECK_THROWS_AS(eval("H", "theta_l=30;theta_v=150;phi_v=180;axis=z"), Error);
+}
+
+TEST_CASE("each number that etak models claims of hemispheres and of the clear ball is a computed one") {
+  const auto claim = [](std::string_view id) {
+    return std::ranges::find(light_rows(), id, &LightRow::id)->note;
+  };
+  // The corrected form in a uniform field, against the integral of the lobe: the text rounds up.
+  double worst = 0;
+  std::string where;
+  for (const char* K : {"0.04", "0.5", "0.9", "1"})
+    for (const char* g : {"0.25", "0.3", "0.5", "0.75", "1"})
+      for (int tenths = 1; tenths <= 10; ++tenths) {
+        const std::string at = std::string("K=") + K + ";g=" + g + ";nv=" + number(tenths / 10.0, 2);
+        const double off =
+            std::abs(eval("hemi_specular", at + ";rz=0;lower=1;upper=1") - eval("hemi_reference_total", at));
+        if (off > worst) worst = off, where = at;
+      }
+  CHECK(where == "K=1;g=0.25;nv=0.7");
+  CHECK(worst == Approx(0.212).margin(5e-4));
+  CHECK(test::contains(claim("hemispheres-specular"),
+                       "error up to " + number(std::ceil(worst * 100) / 100, 2) + " for g >= 0.25"));
+  // As printed F is min(60 K, 1) on a surface of gloss 0, where it should be K.
+  double too_high = 0;
+  for (double K = 0; K <= 1; K += 1.0 / 600) too_high = std::max(too_high, std::min(60 * K, 1.0) - K);
+  const std::string at = "K=" + number(1.0 / 60, 17) + ";g=0;nv=0.5;rz=0;lower=1;upper=1";
+  CHECK(eval("hemi_specular_printed", at) - eval("hemi_specular", at) == near_to(too_high));
+  CHECK(test::contains(claim("hemispheres-specular-printed"),
+                       "too high by up to " + number(too_high, 2) + " "));
+  // A ray that is reflected twice before it leaves a ball of n = 1.5.
+  const double F = std::pow(0.5 / 2.5, 2);
+  CHECK(test::contains(claim("clear-ball"), "left out (" + number(100 * F * F, 1) + " % at n = 1.5)"));
 }

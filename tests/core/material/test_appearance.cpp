@@ -39,7 +39,7 @@ Material liquid(std::optional<double> k) {
 }  // namespace
 
 TEST_CASE(
-    "found 1.05: water, glass, diamond, ice and pmma are clear; metals, silicon, paper, soot and blood are "
+    "water, glass, diamond, ice and pmma are clear; metals, silicon, paper, soot and blood are "
     "not") {
   for (const char* id : {"water", "fused_silica", "glass_bk7", "diamond", "ice", "pmma", "sapphire", "quartz",
                          "ethanol", "polycarbonate", "halite", "air"}) {
@@ -67,7 +67,7 @@ TEST_CASE("a stone or gem that is asked for by a name of its own is not clear, t
   CHECK(clarity(blood, *blood.dataset("liu-2019-plasma")).clear);
 }
 
-TEST_CASE("found 1.05: a body is clear where half of the light passes 1 mm") {
+TEST_CASE("a body is clear where half of the light passes 1 mm") {
   // 4 pi k d / lambda = ln 2 at d = 1 mm and 555 nm: k = 3.06e-5.
   CHECK(clarity(liquid(2.8e-5), liquid(2.8e-5).datasets[0]).clear);
   CHECK(!clarity(liquid(3.4e-5), liquid(3.4e-5).datasets[0]).clear);
@@ -75,7 +75,7 @@ TEST_CASE("found 1.05: a body is clear where half of the light passes 1 mm") {
   CHECK(clarity(liquid(std::nullopt), liquid(std::nullopt).datasets[0]).depth_m == 0);
 }
 
-TEST_CASE("found 1.05: the colour of a body is what passes the longest of four depths that lets half pass") {
+TEST_CASE("the colour of a body is what passes the longest of four depths that lets half pass") {
   // 1e-8: exp(-4 pi 1e-8 1 m / 555 nm) = 0.797; 1e-7: 0.104 over 1 m, 0.797 over 0.1 m; and so on.
   for (const auto& [k, depth] : {std::pair{1e-8, 1.0}, {1e-7, 0.1}, {1e-6, 0.01}, {1e-5, 0.001}}) {
     const Material material = liquid(k);
@@ -91,8 +91,7 @@ TEST_CASE("found 1.05: the colour of a body is what passes the longest of four d
   CHECK(clarity(nothing, nothing.datasets[0]).color == LinearRgb{1, 1, 1});
 }
 
-TEST_CASE(
-    "found 1.05: a dataset without k takes the colour of the least absorbing other one, but not of a film") {
+TEST_CASE("a dataset without k takes the colour of the least absorbing other one, but not of a film") {
   const Clarity water = preferred("water");
   CHECK(water.depth_m == 1);
   CHECK(contains(water.reason, "hale-1973"));
@@ -102,7 +101,7 @@ TEST_CASE(
   CHECK(zincite.depth_m == 0);
 }
 
-TEST_CASE("found 1.06: every class has a roughness, and clear bodies are smooth") {
+TEST_CASE("every class has a roughness, and clear bodies are smooth") {
   const auto of = [](const char* material_class, bool clear = false) {
     Material material;
     material.material_class = material_class;
@@ -122,7 +121,7 @@ TEST_CASE("found 1.06: every class has a roughness, and clear bodies are smooth"
         "roughness 0.9 (gloss 0.00567): the default of class surface, a convention, no measurement");
 }
 
-TEST_CASE("found 1.07: surface and body add up to the total, and a dark total lowers F0") {
+TEST_CASE("surface and body add up to the total, and a dark total lowers F0") {
   for (const LinearRgb& total :
        {LinearRgb{0.5, 0.3, 0.1}, {0.04, 0.04, 0.04}, {0.02, 0.02, 0.02}, {1, 1, 1}, {0, 0, 0}}) {
     const TotalReflectance parts = divided(total);

@@ -167,7 +167,7 @@ TEST_CASE("what is written reads back equal, and writing it again gives the same
 }
 
 TEST_CASE(
-    "found 1.10: notes on aliases, the group and commonness are read, written, and refused where they stand "
+    "notes on aliases, the group and commonness are read, written, and refused where they stand "
     "for nothing") {
   const std::string notes =
       R"("alias_notes": {"Tt": "its symbol", "testium": "its id"}, "group": "stone", "common": true, )";

@@ -34,7 +34,7 @@ std::vector<std::string> suggested(std::string_view name) {
 
 }  // namespace
 
-TEST_CASE("found 1.02: a formula is found in its own case only, so that tin is not TiN") {
+TEST_CASE("a formula is found in its own case only, so that tin is not TiN") {
   CHECK(found("TiN") == "titanium_nitride");
   for (const char* other : {"tin", "Tin", "TIN", "tiN"}) {
     INFO(other);
@@ -59,7 +59,7 @@ TEST_CASE("found 1.02: a formula is found in its own case only, so that tin is n
   CHECK(found("sf11") == "glass_sf11");
 }
 
-TEST_CASE("found 1.02: what reads as a chemical formula") {
+TEST_CASE("what reads as a chemical formula") {
   for (const char* formula : {"TiN", "Au", "W", "SiO2", "Au80Ag20", "Si0.47Ge0.53", "In2O3-SnO2",
                               "CH3NH3PbI3", "KH2PO4", "PC", "CuZn30"}) {
     INFO(formula);
@@ -72,8 +72,7 @@ TEST_CASE("found 1.02: what reads as a chemical formula") {
   }
 }
 
-TEST_CASE(
-    "found 1.02: over the whole library no word stands for two materials, and none for another's formula") {
+TEST_CASE("over the whole library no word stands for two materials, and none for another's formula") {
   std::map<std::string, std::string> words, formulas, folded_formulas;
   for (std::size_t i = 0; i < test::library().ids().size(); ++i) {
     const Material m = test::library().at(i);
@@ -104,7 +103,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("found 1.02: every name of every material finds it, and id wins over name, alias and formula") {
+TEST_CASE("every name of every material finds it, and id wins over name, alias and formula") {
   for (std::size_t i = 0; i < test::library().ids().size(); ++i) {
     const Material m = test::library().at(i);
     INFO(m.id);
@@ -118,7 +117,7 @@ TEST_CASE("found 1.02: every name of every material finds it, and id wins over n
   }
 }
 
-TEST_CASE("found 1.09: a shared word wins, then letters exchanged or wrong") {
+TEST_CASE("a shared word wins, then letters exchanged or wrong") {
   CHECK(name_distance("bronze", "commercial bronze")->kind == Kind::word);
   CHECK(name_distance("steel", "stainless steel")->kind == Kind::word);
   CHECK(name_distance("stainless steel pipe", "stainless steel")->kind == Kind::word);
@@ -130,7 +129,7 @@ TEST_CASE("found 1.09: a shared word wins, then letters exchanged or wrong") {
   CHECK(NameDistance{Kind::word, 9} < NameDistance{Kind::edits, 1});
 }
 
-TEST_CASE("found 1.09: what is not near is not suggested") {
+TEST_CASE("what is not near is not suggested") {
   CHECK(!name_distance("teflon", "lemon"));
   CHECK(!name_distance("lica", "silica"));       // a part of a word
   CHECK(!name_distance("foil", "soil"));         // another first letter
@@ -157,7 +156,7 @@ TEST_CASE("a name of more than 100 bytes gets no suggestion, however long it is"
   CHECK(seconds_of([&] { CHECK(test::library().missing(megabyte).expected.empty()); }, 1) < 0.1);
 }
 
-TEST_CASE("found 1.09: the nearest names of common mistakes") {
+TEST_CASE("the nearest names of common mistakes") {
   CHECK(suggested("glod").at(0) == "gold");
   CHECK(suggested("golt").at(0) == "gold");
   CHECK(suggested("bronz").at(0) == "bronze_commercial");
@@ -173,8 +172,7 @@ TEST_CASE("found 1.09: the nearest names of common mistakes") {
   CHECK(std::set<std::string>(many.begin(), many.end()).size() == many.size());
 }
 
-TEST_CASE(
-    "found 1.10: everyday words are answered by what was measured, or told to be without a measurement") {
+TEST_CASE("everyday words are answered by what was measured, or told to be without a measurement") {
   std::ifstream table(source_folder() + "/tests/data/everyday_words.csv");
   std::string line;
   REQUIRE(std::getline(table, line));
@@ -193,7 +191,7 @@ TEST_CASE(
   CHECK(measured > 130);
 }
 
-TEST_CASE("found 1.10: a word without a measurement says why, and names what is measured and near") {
+TEST_CASE("a word without a measurement says why, and names what is measured and near") {
   const auto milk = test::library().missing("Milk");
   CHECK(contains(milk.found, "no open measurement known: "));
   CHECK(milk.expected.empty());  // nothing measured looks like it
@@ -207,7 +205,7 @@ TEST_CASE("found 1.10: a word without a measurement says why, and names what is 
   CHECK(test::library().suggest("mlik").empty());
 }
 
-TEST_CASE("found 1.10: no word without a measurement names a material, and what is near to it is one") {
+TEST_CASE("no word without a measurement names a material, and what is near to it is one") {
   const std::string file = source_folder() + "/resources/unmeasured.json";
   for (const Unmeasured& each : parse_unmeasured(slurp(file), file)) {
     for (const std::string& word : each.words) {
@@ -235,7 +233,7 @@ TEST_CASE("a broken list of words without a measurement is refused") {
   CHECK(contains(error_of([] { (void)parse_unmeasured("{}", "u.json"); }), "schema"));
 }
 
-TEST_CASE("found 1.02: a dataset is named by its id, its unique beginning, or with others by a star") {
+TEST_CASE("a dataset is named by its id, its unique beginning, or with others by a star") {
   const Material gold = *test::library().find("gold");
   CHECK(&dataset_named(gold, "", "gold") == &gold.preferred_dataset());
   CHECK(dataset_named(gold, "johnson-1972", "gold").id == "johnson-1972");
@@ -258,7 +256,7 @@ TEST_CASE("found 1.02: a dataset is named by its id, its unique beginning, or wi
   CHECK(contains(both, "x: more than one dataset begins with a-; expected one of a-1972, a-1972-2"));
 }
 
-TEST_CASE("found 1.10: a note says which steel steel is, and stands under a name of its material") {
+TEST_CASE("a note says which steel steel is, and stands under a name of its material") {
   const Material steel = *test::library().find("steel");
   CHECK(contains(std::string(alias_note(steel.alias_notes, "Steel")), "stainless"));
   CHECK(alias_note(steel.alias_notes, "stainless_316").empty());

@@ -49,7 +49,7 @@ F0Result f0_of(const Material& m, const Dataset& d) {
 
 }  // namespace
 
-TEST_CASE("found 1.04: a table of fewer than ten samples in 400-700 nm is sparse, a formula never") {
+TEST_CASE("a table of fewer than ten samples in 400-700 nm is sparse, a formula never") {
   CHECK(quality_flags(metal({flat_dataset("a", 0.5, 9)}), flat_dataset("a", 0.5, 9)).has(Flag::sparse));
   CHECK_FALSE(
       quality_flags(metal({flat_dataset("a", 0.5, 10)}), flat_dataset("a", 0.5, 10)).has(Flag::sparse));
@@ -62,7 +62,7 @@ TEST_CASE("found 1.04: a table of fewer than ten samples in 400-700 nm is sparse
   CHECK_FALSE(F0Solver({}).solve(formula.optics).flags.has(Flag::sparse));
 }
 
-TEST_CASE("found 1.04: what theory gave is computed") {
+TEST_CASE("what theory gave is computed") {
   Dataset theory = flat_dataset("t", 0.5);
   theory.origin = Origin::computed;
   const Material m = metal({theory});
@@ -73,7 +73,7 @@ TEST_CASE("found 1.04: what theory gave is computed") {
   CHECK(quality_text(Origin::computed, Flags::from_bits(~0u)) == "computed; sparse; doubtful");
 }
 
-TEST_CASE("found 1.03: a dataset more than 0.1 off the median of two others is doubtful") {
+TEST_CASE("a dataset more than 0.1 off the median of two others is doubtful") {
   const Material m = metal({flat_dataset("a", 0.50), flat_dataset("b", 0.52), flat_dataset("c", 0.65)});
   CHECK_FALSE(is_doubtful(m, 0));  // the median of the others is 0.585
   CHECK_FALSE(is_doubtful(m, 1));
@@ -83,7 +83,7 @@ TEST_CASE("found 1.03: a dataset more than 0.1 off the median of two others is d
   for (std::size_t i = 0; i < 3; ++i) CHECK_FALSE(is_doubtful(near, i));
 }
 
-TEST_CASE("found 1.03: the median needs two others that are accepted") {
+TEST_CASE("the median needs two others that are accepted") {
   CHECK_FALSE(is_doubtful(metal({flat_dataset("a", 0.5), flat_dataset("b", 0.9)}), 0));
   Material m = metal({flat_dataset("a", 0.5), flat_dataset("b", 0.9), flat_dataset("c", 0.9)});
   CHECK(is_doubtful(m, 0));
@@ -116,7 +116,7 @@ TEST_CASE("found 1.03: the median needs two others that are accepted") {
   }
 }
 
-TEST_CASE("found 1.03: whether a dataset is doubtful does not depend on how F0 is asked for") {
+TEST_CASE("whether a dataset is doubtful does not depend on how F0 is asked for") {
   const Material m = material("titanium");
   const Dataset& palm = *m.dataset("palm-2018");
   F0Options water;
@@ -126,7 +126,7 @@ TEST_CASE("found 1.03: whether a dataset is doubtful does not depend on how F0 i
   CHECK(solve(F0Solver(water), m, palm).flags.has(Flag::doubtful));
 }
 
-TEST_CASE("found 1.03: the reason is read, written and kept in the built-in library") {
+TEST_CASE("the reason is read, written and kept in the built-in library") {
   Material m = metal({flat_dataset("a", 0.5)});
   m.datasets[0].doubtful = "read from a \"small\" figure";
   m.preferred_reason = "the only one";
@@ -142,7 +142,7 @@ TEST_CASE("found 1.03: the reason is read, written and kept in the built-in libr
                  "m.json#/datasets/0/doubtful: \"\"; expected the reason"));
 }
 
-TEST_CASE("found 1.18: a surface has no zone verdict, and no channel in the zone") {
+TEST_CASE("a surface has no zone verdict, and no channel in the zone") {
   for (const char* id : {"cardboard", "terracotta", "brick"}) {
     const Material m = material(id);
     INFO(id);
@@ -159,7 +159,7 @@ TEST_CASE("found 1.18: a surface has no zone verdict, and no channel in the zone
 
 // ---- the library
 
-TEST_CASE("found 1.03: no preferred dataset is doubtful where another one is not") {
+TEST_CASE("no preferred dataset is doubtful where another one is not") {
   for (const std::string& id : library().ids()) {
     const Material m = material(id);
     INFO(id);
@@ -173,7 +173,7 @@ TEST_CASE("found 1.03: no preferred dataset is doubtful where another one is not
   }
 }
 
-TEST_CASE("found 1.04: a sparse or computed dataset is preferred for want of a better one, or says why") {
+TEST_CASE("a sparse or computed dataset is preferred for want of a better one, or says why") {
   for (const std::string& id : library().ids()) {
     const Material m = material(id);
     const auto is_weak = [&](const Dataset& d) {
@@ -189,8 +189,7 @@ TEST_CASE("found 1.04: a sparse or computed dataset is preferred for want of a b
   }
 }
 
-TEST_CASE(
-    "found 1.03: every table of Werner 2009 from electron energy loss is named doubtful, with the reason") {
+TEST_CASE("every table of Werner 2009 from electron energy loss is named doubtful, with the reason") {
   std::size_t tables = 0;
   for (const std::string& id : library().ids())
     for (const Dataset& d : material(id).datasets) {
@@ -203,7 +202,7 @@ TEST_CASE(
   CHECK(tables >= 2);
 }
 
-TEST_CASE("found 1.03: zinc reflects at 82 degrees like a metal, and its measured tables are doubtful") {
+TEST_CASE("zinc reflects at 82 degrees like a metal, and its measured tables are doubtful") {
   const Material zinc = material("zinc");
   CHECK(zinc.preferred_dataset().id == "werner-2009-dft");
   const F0Result best = f0_of(zinc, zinc.preferred_dataset());
@@ -219,7 +218,7 @@ TEST_CASE("found 1.03: zinc reflects at 82 degrees like a metal, and its measure
   CHECK(f0_of(zinc, *zinc.dataset("werner-2009-reels")).flags.has(Flag::doubtful));
 }
 
-TEST_CASE("found 1.04: tantalum is the least of doubtful tables and says so") {
+TEST_CASE("tantalum is the least of doubtful tables and says so") {
   const Material tantalum = material("tantalum");
   const Flags flags = quality_flags(tantalum, tantalum.preferred_dataset());
   CHECK(flags.has(Flag::computed));
@@ -244,7 +243,7 @@ TEST_CASE("found 1.04: tantalum is the least of doubtful tables and says so") {
   CHECK(f0_of(tantalum, *tantalum.dataset("ordal-1988")).refused());
 }
 
-TEST_CASE("found 1.03: the preferred dataset is the better one where quality decides") {
+TEST_CASE("the preferred dataset is the better one where quality decides") {
   const std::pair<const char*, const char*> chosen[] = {{"sodium", "inagaki-1976"},
                                                         {"gallium_nitride", "lin-1993-ordinary"},
                                                         {"graphite", "song-2018-hopg-ordinary"},

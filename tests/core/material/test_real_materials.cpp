@@ -219,7 +219,7 @@ TEST_CASE("the measured reflectances of the library are the reference figures") 
   }
 }
 
-TEST_CASE("found 1.10: the everyday reflectances of the library are the reference figures, in colour too") {
+TEST_CASE("the everyday reflectances of the library are the reference figures, in colour too") {
   const auto shared = shared_folder();
   if (!shared) {
     WARN("no reference data beside the checkout; not checked");

@@ -115,7 +115,7 @@ TEST_CASE("JSON carries zone, gamut, F82 and the reason of a refusal") {
   CHECK(results[2]["linear"].is_null());
 }
 
-TEST_CASE("found 1.04: JSON tells the kind of a dataset and why it is doubtful") {
+TEST_CASE("JSON tells the kind of a dataset and why it is doubtful") {
   auto rows = sample_rows();
   rows[0].kind = "computed";
   rows[0].doubt = "a guess";
@@ -130,7 +130,7 @@ TEST_CASE("found 1.04: JSON tells the kind of a dataset and why it is doubtful")
   CHECK(schema.problem(Json::parse(f0_json(rows, {}))) != "");
 }
 
-TEST_CASE("found 1.18: the zone of a surface is null in JSON, of nothing else that has an F0") {
+TEST_CASE("the zone of a surface is null in JSON, of nothing else that has an F0") {
   std::vector<F0Row> rows{{"paper", "Paper", "surface", "sheet", "", surface_result({0.3, 0.3, 0.3})},
                           {"gold", "Gold", "metal", "x", "", gold_result()}};
   const JsonSchema schema(schema_text());

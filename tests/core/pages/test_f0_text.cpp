@@ -58,7 +58,7 @@ TEST_CASE("reflectance data leave the F82 columns of the CSV empty") {
   CHECK(contains(csv_row(r), ",0.5,,,,above,,\n"));
 }
 
-TEST_CASE("found 1.04: CSV and table tell the kind of a dataset where it is known") {
+TEST_CASE("CSV and table tell the kind of a dataset where it is known") {
   std::string csv;
   append_f0_csv(csv, "p", result_of({0.5, 0.5, 0.5}), "computed");
   CHECK(contains(csv, ",above,,computed\n"));
@@ -74,7 +74,7 @@ TEST_CASE("found 1.04: CSV and table tell the kind of a dataset where it is know
   CHECK(lines[2].ends_with("  fit"));
 }
 
-TEST_CASE("found 1.18: a surface has an empty zone in CSV and a dash in the table") {
+TEST_CASE("a surface has an empty zone in CSV and a dash in the table") {
   F0Row row{"paper", "Paper", "surface", "sheet", "", surface_result({0.5, 0.5, 0.5})};
   CHECK(contains(csv_row(row.result), ",0.5,,,,,,\n"));
   const std::string line = split_at(f0_table({&row, 1}, {}, false), '\n')[1];
@@ -170,8 +170,7 @@ TEST_CASE("table columns start in the same place in every row, whatever letters 
   }
 }
 
-TEST_CASE(
-    "found 1.21: below a table, for who asks, stand the flags that occur, no others, and the policy last") {
+TEST_CASE("below a table, for who asks, stand the flags that occur, no others, and the policy last") {
   CHECK_FALSE(contains(f0_table(sample_rows(), {}, false), policy({})));
   CHECK_FALSE(contains(f0_table(sample_rows(), {}, false), meaning(Flag::extrapolated)));
   const std::string table = f0_table(sample_rows(), {}, false) + f0_legend(sample_rows(), {});
@@ -183,7 +182,7 @@ TEST_CASE(
   CHECK(contains(table, "refused: data cover 0.3"));
 }
 
-TEST_CASE("found 1.21: a table and its legend keep to the width of the terminal") {
+TEST_CASE("a table and its legend keep to the width of the terminal") {
   for (const bool color : {false, true})
     for (const std::size_t width : {80u, 100u, 120u}) {
       INFO(width << ' ' << color);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/text/ascii.h"
 #include "core/pages/lists/sources.h"
+#include "tests/support.h"
 
 using namespace etak;
 
@@ -34,6 +36,41 @@ TEST_CASE("where the data of a print are open, its three decimals and its codes 
   }
   CHECK(same == std::set<std::string>{"Aluminum", "Chromium", "Copper", "Crystalline silicon", "Gold",
                                       "Palladium", "Silver"});
+}
+
+TEST_CASE("every F0 that Hoffman and Schueler print is a row, with its number and its code") {
+  const auto printed = test::read_csv(test::source_folder() + "/tests/data/seed_tables.csv");
+  REQUIRE(printed.size() == 59);
+  for (std::size_t i = 1; i < printed.size(); ++i) {
+    const std::string name = lower_case(printed[i][1].substr(0, printed[i][1].find(" (")));
+    const double value = test::to_number(printed[i][3]), code = test::to_number(printed[i][4]);
+    INFO(printed[i][0] << ", " << name << ' ' << value << ' ' << code);
+    CHECK(std::ranges::any_of(rows(), [&](const SourceRow& row) {
+      return row.source == printed[i][0] && lower_case(row.row).starts_with(name) &&
+             std::ranges::count(row.printed, value) > 0 && std::ranges::count(row.printed_codes, code) > 0;
+    }));
+  }
+}
+
+TEST_CASE("of a metal whose printed data are not open the row shows the nearest dataset") {
+  const MaterialLibrary library = MaterialLibrary::builtin();
+  for (const char* id : {"titanium", "iron", "nickel", "platinum", "zinc"}) {
+    const SourceRow& row = *std::ranges::find_if(
+        rows(), [&](const SourceRow& r) { return r.by.starts_with("f0 " + std::string(id) + "/"); });
+    const Material material = *library.find(id);
+    std::string nearest;
+    double least = 1;
+    for (const Dataset& dataset : material.datasets) {
+      const F0Result f0 = F0Solver({}).solve(dataset.optics);
+      if (f0.refused()) continue;
+      double worst = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        worst = std::max(worst, std::abs(vec(f0.linear)[c] - row.printed[c]));
+      if (worst < least) nearest = dataset.id;
+      least = std::min(least, worst);
+    }
+    CHECK(row.by == "f0 " + std::string(id) + "/" + nearest);
+  }
 }
 
 TEST_CASE("each row that differs from its print says why, and what is wrong in print is named") {

@@ -59,7 +59,7 @@ TEST_CASE("the start page shows spheres with their errors, values to copy, texel
   CHECK(contains(page, "prefers-color-scheme: dark"));
 }
 
-TEST_CASE("found 2.3: F82 is said to keep the colour of metals, and what an eye can tell has its citation") {
+TEST_CASE("F82 is said to keep the colour of metals, and what an eye can tell has its citation") {
   const std::string page = page_of_samples();
   CHECK(contains(page, "F82, which keeps the colour of metals near the rim"));
   CHECK(contains(page, "of clear materials is by the exact form from F0"));

@@ -77,6 +77,33 @@ TEST_CASE("a project reads back as it was written") {
   CHECK(parse_project(format_project(project, ""), "elsewhere/copy.json") == project);
 }
 
+TEST_CASE("an emission of which nothing is said is black, but white under a texture") {
+  const TempFolder folder;
+  const std::string file = folder.file("p.json");
+  Project project;
+  project.materials.resize(1);
+  ProjectMaterial& m = project.materials[0];
+  m.name = "lamp";
+  for (const Channel channel : {Channel::emission, Channel::occlusion})
+    set_texture(m, channel, ImageSource{folder.file("glow.exr"), "", ""});
+  CHECK(m.emission == LinearRgb{1, 1, 1});
+  const std::string text = format_project(project, file);
+  CHECK(contains(text, "\"emission\": {\"image\": \"glow.exr\"}, \"occlusion\": {"));
+  CHECK(!contains(text, "\"emission\": ["));
+  CHECK(parse_project(text, file) == project);
+  // Nothing is sent out where the texture is not seen.
+  CHECK(surface_of(m, MaterialLibrary::builtin()).emission == Vec3{});
+  m.emission = {2, 0, 0};
+  CHECK(parse_project(format_project(project, file), file) == project);
+  set_texture(m, Channel::emission, std::nullopt);
+  CHECK(m.emission == LinearRgb{2, 0, 0});
+  m.emission = {};
+  CHECK(parse_project(format_project(project, file), file) == project);
+  std::vector<std::string> remarks;
+  (void)manifest_of(project, MaterialLibrary::builtin(), remarks);
+  CHECK(remarks == std::vector<std::string>{"lamp: its occlusion is in none of the textures"});
+}
+
 TEST_CASE("what is wrong in a project is refused with its place") {
   const auto refused = [](const std::string& text) {
     return error_of([&] { (void)parse_project(text, "p.json"); });

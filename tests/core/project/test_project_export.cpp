@@ -57,10 +57,13 @@ struct TexturedMaterials {
     leaf.alpha_mode = AlphaMode::blend;
     leaf.diffuse = {0.1, 0.4, 0.2};
     use(leaf, Channel::alpha, alpha);
+    use(leaf, Channel::occlusion, alpha);
+    leaf.occlusion = 0.5;
     plate.name = "plate";
     plate.emission = {4, 2, 0};
     plate.alpha_mode = AlphaMode::opaque;
     use(plate, Channel::specular, mixed);
+    use(plate, Channel::emission, diffuse);
     materials = {wood, gold, leaf, plate};
     Project project;
     project.materials = materials;
@@ -132,6 +135,10 @@ TEST_CASE("textures of a glTF export give back diffuse, F0, roughness and opacit
     REQUIRE(plate.specular_color_texture);
     CHECK(pictures(plate.specular_color_texture->image) == from.mixed);
     CHECK(plate.base_color == std::array<double, 4>{0, 0, 0, 1});
+    REQUIRE((plate.emissive_texture && leaf.occlusion_texture && !gold.emissive_texture));
+    CHECK(pictures(plate.emissive_texture->image) == from.diffuse);
+    CHECK(contains(*scene.json, "\"emissiveStrength\": 4"));
+    CHECK(pictures(leaf.occlusion_texture->image).at(1, 2)[0] == std::lround(0.5 * from.alpha.at(1, 2)[0]));
   }
   const auto messages = gltf_messages(from.folder.path(), files);
   if (!messages) WARN("no node with gltf-validator (NODE_PATH): what is written is not validated");
@@ -142,10 +149,10 @@ TEST_CASE("textures of a MaterialX export lie beside it under relative names") {
   const TexturedMaterials from;
   const std::vector<Changes> changes = from.write(ExportForm::material_x, "out.mtlx");
   const std::string text = slurp(from.folder.file("out.mtlx"));
-  for (const char* name :
-       {"out_wood___oak_base_color.png", "out_wood___oak_base_metalness.png",
-        "out_wood___oak_specular_roughness.png", "out_wood___oak_geometry_opacity.png",
-        "out_gold_specular_roughness.png", "out_leaf_geometry_opacity.png", "out_plate_base_metalness.png"}) {
+  for (const char* name : {"out_wood___oak_base_color.png", "out_wood___oak_base_metalness.png",
+                           "out_wood___oak_specular_roughness.png", "out_wood___oak_geometry_opacity.png",
+                           "out_gold_specular_roughness.png", "out_leaf_geometry_opacity.png",
+                           "out_plate_base_metalness.png", "out_plate_emission_color.png"}) {
     CHECK(contains(text, "value=\"" + std::string(name) + "\""));
     CHECK(std::filesystem::exists(from.folder.file(name)));
   }
@@ -168,6 +175,12 @@ TEST_CASE("textures of a MaterialX export lie beside it under relative names") {
     CHECK(metalness.at(x, 0)[0] == 255);
     for (std::size_t c = 0; c < 3; ++c) CHECK(base.at(x, 0)[c] == from.mixed.at(x, 0)[c]);
   }
+  // Emission {4, 2, 0}: the luminance is 4, and the picture takes the colour.
+  CHECK(contains(text, "<input name=\"emission_luminance\" type=\"float\" value=\"4\" />"));
+  const Image8 emission = from.picture("out_plate_emission_color.png");
+  CHECK(emission.at(1, 1)[0] == from.diffuse.at(1, 1)[0]);
+  CHECK(emission.at(1, 1)[1] == srgb_u8(srgb_decode(from.diffuse.at(1, 1)[1] / 255.0) / 2));
+  CHECK(emission.at(1, 1)[2] == 0);
   // Wood is none.
   const Image8 wood = from.picture("out_wood___oak_base_metalness.png");
   for (int i = 0; i < texture_side * texture_side; ++i) CHECK(wood.values[static_cast<std::size_t>(i)] < 128);

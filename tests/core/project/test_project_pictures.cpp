@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 
+#include "core/color/srgb.h"
 #include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
 #include "tests/core/atlas/pack_support.h"
@@ -20,7 +22,7 @@ ProjectMaterial pictured(const TempFolder& folder, unsigned textured) {
   for (const Channel channel : all_channels) {
     if ((textured >> static_cast<unsigned>(channel) & 1U) == 0) continue;
     const std::string file = folder.file(std::string(name(channel)) + ".png");
-    const bool grey = channel == Channel::gloss || channel == Channel::alpha;
+    const bool grey = !is_color(channel);
     save_png(file, noise(kept_side, kept_side, grey ? 1 : 3, 5 + static_cast<unsigned>(channel)));
     out.texture(channel) = ImageSource{file, "", ""};
   }
@@ -97,7 +99,7 @@ TEST_CASE("textures for the viewport hold the channels that have a picture") {
     ProjectMaterial m = pictured(folder, textured);
     for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::blend}) {
       m.alpha_mode = mode;
-      const SurfaceTextures seen = surface_textures(m, pictures_of(m, built_in_library(), {}), 64);
+      const SurfaceTextures seen = surface_textures(m, pictures_of(m, built_in_library(), {}), {}, 64);
       CHECK(seen.has.diffuse == ((textured & 1) != 0));
       CHECK(seen.has.f0 == ((textured & 2) != 0));
       CHECK(seen.has.gloss == ((textured & 4) != 0));
@@ -106,4 +108,55 @@ TEST_CASE("textures for the viewport hold the channels that have a picture") {
       CHECK(seen.gloss.width == ((textured & 6) != 0 ? kept_side : 1));
     }
   }
+}
+
+TEST_CASE("emission and occlusion are a texture of their own, of another size than the packed ones") {
+  const TempFolder folder;
+  ProjectMaterial m = pictured(folder, 0b110001);
+  save_png(m.texture(Channel::emission)->path, noise(3, 2, 3, 9));
+  save_png(m.texture(Channel::occlusion)->path, noise(3, 2, 1, 8));
+  const MaterialPair pair = pictures_of(m, built_in_library(), {});
+  CHECK(pair.diffuse_alpha.width == kept_side);
+  const SurfaceTextures seen = surface_textures(m, pair, {}, 64);
+  CHECK((seen.has.diffuse && seen.has.emission && seen.has.occlusion && !seen.has.f0));
+  CHECK(seen.emission.width == 3);
+  CHECK(channel_picture(seen, Channel::emission).at(2, 1)[1] == noise(3, 2, 3, 9).at(2, 1)[1]);
+  CHECK(channel_picture(seen, Channel::occlusion).at(2, 1)[1] == noise(3, 2, 1, 8).at(2, 1)[0]);
+  // Alone, they are no reason to look for flat areas in a page of one texel.
+  m.texture(Channel::diffuse).reset();
+  CHECK(!has_packed_textures(m));
+  CHECK(pictures_of(m, built_in_library(), {}).diffuse_alpha.width == 16);
+}
+
+TEST_CASE(
+    "pictures of emission and occlusion keep what pages cannot hold, and refuse what is none of theirs") {
+  const TempFolder folder;
+  const auto file = [&](const char* name, const Image& image) {
+    write_exr(folder.file(name), image, true, true);
+    return ImageSource{folder.file(name), "", ""};
+  };
+  Image picture(2, 1, 3, 0.5F);
+  picture.values[4] = 30;
+  CHECK(emission_floats(file("e.exr", picture), "m", picture_door()) == picture);
+  const auto refused = [&](float value, bool occlusion) {
+    picture.values[3] = value;
+    const ImageSource source = file("bad.exr", picture);
+    const std::string message = error_of([&] {
+      (void)(occlusion ? occlusion_floats(source, "m", picture_door())
+                       : emission_floats(source, "m", picture_door()));
+    });
+    return message.substr(message.rfind('/') + 1);
+  };
+  CHECK(refused(-1, false) == "bad.exr: holds -1 as emission; expected at least 0");
+  CHECK(refused(NAN, false) == "bad.exr: holds a value that is no finite number; expected finite numbers");
+  CHECK(refused(1.5F, true) == "bad.exr: holds 1.5 as occlusion; expected 0 to 1");
+  // Codes are sRGB, and grey ones stand for three.
+  save_png(folder.file("grey.png"), Image8(1, 1, 1, 188));
+  const Image grey = emission_floats({folder.file("grey.png"), "", ""}, "m", picture_door());
+  CHECK(grey.channels == 3);
+  CHECK(double{grey.values[2]} == Approx(srgb_decode(188 / 255.0)));
+  CHECK(double{emission_floats({folder.file("grey.png"), "", "linear"}, "m", picture_door()).values[0]} ==
+        Approx(188 / 255.0));
+  CHECK(double{occlusion_floats({folder.file("grey.png"), "", ""}, "m", picture_door()).values[0]} ==
+        Approx(188 / 255.0));
 }

@@ -232,6 +232,18 @@ TEST_CASE("the quick albedo is the sum over all directions of light within 0.01"
     }
 }
 
+// Textures of one texel with the values of the surface.
+std::shared_ptr<const SurfaceTextures> texels_of(const SurfaceValues& surface) {
+  const auto texel = [](const Vec3& color, double fourth) {
+    Image out(1, 1, 4);
+    for (std::size_t c = 0; c < 3; ++c) out.values[c] = static_cast<float>(color[c]);
+    out.values[3] = static_cast<float>(fourth);
+    return out;
+  };
+  const Image body = texel(surface.diffuse, surface.opacity), gloss = texel(surface.f0, surface.gloss);
+  return surface_textures({&body, &gloss});
+}
+
 TEST_CASE("a texture of one colour is the surface of that colour") {
   ViewState state = two_golds();
   state.a.surface.opacity = 0.7;
@@ -246,7 +258,7 @@ TEST_CASE("a texture of one colour is the surface of that colour") {
         state.lights.hemispheres->form = form;
         state.a.textures.reset();
         const Image plain = drawn(scene_of(state));
-        state.a.textures = surface_textures(nullptr, nullptr, state.a.surface);
+        state.a.textures = texels_of(state.a.surface);
         INFO(id << ", hemispheres " << name(form));
         // Where F0 and gloss follow a texture, the table of a model's ambient light has fewer views and a quadratic in
         // F0, which is worst for K / lh where that is held at 1.
@@ -267,7 +279,7 @@ TEST_CASE("what a texture does not hold is a number of the surface") {
     const Model& model = *find_model(id);
     state.a.specular = &model;
     state.a.diffuse = model.kind == ModelKind::combined ? nullptr : find_model("lambert");
-    const auto same = surface_textures(nullptr, nullptr, state.a.surface);
+    const auto same = texels_of(state.a.surface);
     state.a.textures = same;
     const Image expected = drawn(scene_of(state));
     for (int other = 0; other < 4; ++other) {
@@ -296,7 +308,7 @@ TEST_CASE("textures are looked up between their texels, from the left upper corn
   CHECK(texture_place(Shape::quad, {1, 1, 0}) == std::array<double, 2>{1, 0});
   CHECK(texture_place(Shape::sphere, {0, 0, 1})[0] == 0.5);
   const Image wide(3000, 10, 3, 0.25F);
-  const auto pair = surface_textures(&wide, nullptr, two_golds().a.surface, 500);
+  const auto pair = surface_textures({.body = &wide}, 500);
   CHECK(pair->body.width == 500);
   CHECK(pair->body.at(3, 0)[3] == 1);
 }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "tests/core/scene/small_scene.h"
 #include "tests/support.h"
@@ -258,4 +259,48 @@ TEST_CASE("the real scenes read with what their documents say") {
     for (std::size_t i = 0; i < row.materials; ++i)
       CHECK(scene.material_used[i] == (scene.materials[i].name != "m07"));
   }
+}
+
+TEST_CASE("a mesh has the triangles of all nodes, moved, with normals and the first UVs") {
+  // The square at 48 bytes of positions, then UVs, indices, and a normal (3, 0, 4) for each vertex; a second node draws
+  // it twice as wide, farther right and turned over.
+  std::string buffer = unit_quad();
+  for (int i = 0; i < 4; ++i) buffer += bytes_of<float>({0.6f, 0, 0.8f});
+  std::string json = quad_json("[]", R"("extras":0,)", "\"uri\":\"data:;base64," + base64(buffer) + "\",");
+  json = replaced(json, "\"byteLength\":92", "\"byteLength\":140");
+  json = replaced(json, R"(,"target":34963})", R"(},{"buffer":0,"byteOffset":92,"byteLength":48})");
+  json = replaced(json, R"("type":"SCALAR"})",
+                  R"("type":"SCALAR"},{"bufferView":3,"componentType":5126,"count":4,"type":"VEC3"})");
+  json = replaced(json, R"("nodes":[0])", R"("nodes":[0,1])");
+  json = replaced(json, R"({"mesh":0})", R"({"mesh":0},{"mesh":0,"translation":[10,0,0],"scale":[2,1,-1]})");
+  json = replaced(json, R"(,"material":0)", "");
+  const std::string with_normals = replaced(json, R"("TEXCOORD_0":1)", R"("TEXCOORD_0":1,"NORMAL":3)");
+  GltfOptions options;
+  CHECK(parsed(with_normals, options).mesh.triangles.empty());  // none was asked for
+  options.mesh = true;
+  const Mesh mesh = parsed(with_normals, options).mesh;
+  REQUIRE(mesh.vertices.size() == 8);
+  CHECK(mesh.triangles ==
+        std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+  CHECK(mesh.has_uvs);
+  CHECK(mesh.vertices[2].uv == std::array<float, 2>{1, 1});
+  CHECK(mesh.vertices[6].position == std::array<float, 3>{12, 1, 0});
+  CHECK(mesh.vertices[1].normal[0] == Approx(0.6));
+  // The plane that is scaled by 2 along x has the normal (0.3, 0, -0.8) or its opposite.
+  const auto& n = mesh.vertices[6].normal;
+  CHECK(n[0] / n[2] == Approx(-0.375));
+  CHECK(std::hypot(n[0], n[2]) == Approx(1));
+
+  const auto refused = [&](const std::string& text) { return error_of([&] { parsed(text, options); }); };
+  CHECK(contains(refused(json),
+                 "s.gltf#/meshes/0/primitives/0/attributes: no NORMAL; expected a mesh with normals"));
+  CHECK(contains(refused(replaced(json, R"("TEXCOORD_0":1)", R"("TEXCOORD_0":1,"NORMAL":0)")),
+                 "NORMAL: the normal of vertex 0 has no direction"));
+  CHECK(contains(refused(replaced(json, R"("TEXCOORD_0":1)", R"("TEXCOORD_0":1,"NORMAL":1)")),
+                 "expected VEC3"));
+  CHECK(!parsed(replaced(json, R"("TEXCOORD_0":1)", R"("NORMAL":3)"), options).mesh.has_uvs);
+  std::string endless = buffer;
+  endless.replace(52, 4, bytes_of<float>({std::numeric_limits<float>::infinity()}));
+  CHECK(contains(refused(replaced(with_normals, base64(buffer), base64(endless))),
+                 "TEXCOORD_0: a UV that is not finite"));
 }

@@ -5,6 +5,8 @@
 #include <complex>
 #include <numbers>
 
+#include "core/base/number.h"
+#include "core/brdf/models.h"
 #include "core/material/library.h"
 #include "core/plot/lobe_curves.h"
 #include "core/study/angle_curves.h"
@@ -157,4 +159,22 @@ TEST_CASE("F at one angle is that of the whole truth, in any medium and light") 
   REQUIRE(truth.cosine.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) CHECK(seen(truth.cosine[i]) == truth.rgb[i]);
   CHECK(seen(1) == truth.f0);
+}
+
+TEST_CASE("what etak models claims of Schlick on metals is his largest error over the library's metals") {
+  const MaterialLibrary library = MaterialLibrary::builtin();
+  double worst = 0;
+  std::string of;
+  for (const std::string& id : library.ids()) {
+    const Material material = *library.find(id);
+    if (material.material_class != "metal") continue;
+    const AngleCurves curves = angle_curves(material.preferred_dataset().optics, {}, id);
+    if (curves.exact.empty() || form(curves, "schlick").error.max_abs <= worst) continue;
+    worst = form(curves, "schlick").error.max_abs;
+    of = id;
+  }
+  INFO(of << ' ' << worst);
+  CHECK(of == "osmium");
+  const Term& schlick = *find_term(TermKind::fresnel, "schlick");
+  CHECK(std::string(schlick.note) == "metals off by up to " + number(std::ceil(worst * 100) / 100, 2));
 }

@@ -231,7 +231,7 @@ TEST_CASE("a smaller budget never takes a cheaper form") {
   }
 }
 
-TEST_CASE("found 1.11: a budget that nothing meets gives the closest, and says how close and what is exact") {
+TEST_CASE("a budget that nothing meets gives the closest, and says how close and what is exact") {
   for (const double budget : {0.0, 1e-6}) {
     const Choice choice = chosen("gold", budget);
     CHECK(!choice.met);
@@ -260,7 +260,7 @@ TEST_CASE("found 1.11: a budget that nothing meets gives the closest, and says h
   CHECK(largest_error(codes) >= (codes.met ? 0 : 1));
 }
 
-TEST_CASE("found 2.7: no choice is within the budget because its error makes up for another's") {
+TEST_CASE("no choice is within the budget because its error makes up for another's") {
   for (const char* id : {"silver", "gold", "aluminum", "nickel"})
     for (const double budget : {0.3, 0.35, 0.5, 1.0}) {
       INFO(id << " " << budget);
@@ -279,8 +279,7 @@ TEST_CASE("found 2.7: no choice is within the budget because its error makes up 
     }
 }
 
-TEST_CASE(
-    "found 2.7: a scene's material saves the texture that is one colour, or says why it saves nothing") {
+TEST_CASE("a scene's material saves the texture that is one colour, or says why it saves nothing") {
   // Gloss and F0 alike everywhere, and the diffuse colour is black: only the second texture is read.
   const auto checks = chosen(textured_subject(32, [](int x, int y) {
     return std::array<std::uint8_t, 4>{60, 60, 60, static_cast<std::uint8_t>((x + y) % 2 == 0 ? 40 : 220)};
@@ -334,7 +333,7 @@ TEST_CASE("Schueler's techniques and lobes of other distributions are weighed be
   CHECK(contains(choice_text({large}, costs), "schueler-ksk"));
 }
 
-TEST_CASE("found 1.17: the shipped costs have a row of its own for each level of PNG") {
+TEST_CASE("the shipped costs have a row of its own for each level of PNG") {
   const auto levels = png_levels(shipped_costs());
   REQUIRE(levels.size() == 3);
   CHECK(levels[0].id == "fast");

@@ -52,7 +52,7 @@ ErrorTimeFamily family() {
 
 }  // namespace
 
-TEST_CASE("found 2.3: a verdict is given where the rounds settle it, and withheld where they do not") {
+TEST_CASE("a verdict is given where the rounds settle it, and withheld where they do not") {
   const auto rows = family().tables[0].rows;
   CHECK(rows[0].verdict == Verdict::unbeaten);
   CHECK(rows[1].verdict == Verdict::beaten);
@@ -63,7 +63,7 @@ TEST_CASE("found 2.3: a verdict is given where the rounds settle it, and withhel
   CHECK(open_rows(family().tables[0]) == std::vector<bool>{true, false, true, false, false});
 }
 
-TEST_CASE("found 2.3: ways that run the same instructions are told apart by their errors alone") {
+TEST_CASE("ways that run the same instructions are told apart by their errors alone") {
   // Times within a tenth are equal, in either order: chance cannot make a front of them.
   for (const double time : {0.97, 1.0, 1.03}) {
     const auto rows = table_of({row("a", 0.1, 1, 0.01), row("b", 0.2, time, 0.01)}).rows;
@@ -83,7 +83,7 @@ TEST_CASE("found 2.3: ways that run the same instructions are told apart by thei
 }
 
 TEST_CASE(
-    "found 2.3: what slows a whole round down does not open a verdict, and one bad round does not change "
+    "what slows a whole round down does not open a verdict, and one bad round does not change "
     "it") {
   auto rows = table_of({row("a", 0.1, 1, 0.02), row("bb", 0.2, 0.7, 0.02)}).rows;
   for (std::size_t round = 0; round < 9; ++round)
@@ -152,14 +152,14 @@ TEST_CASE("a ratio is the median over the rounds that a way and the table's base
   CHECK(table.rows[1].time->ratio == 2);
 }
 
-TEST_CASE("found 2.3: few rounds settle less than many that differ as much") {
+TEST_CASE("few rounds settle less than many that differ as much") {
   auto rows = table_of({row("a", 0.1, 1, 0), row("bb", 0.2, 0.8, 0.05)}).rows;
   CHECK(table_of(rows).rows[1].verdict == Verdict::unbeaten);
   for (ErrorTimeRow& each : rows) each.time->rounds_ns.resize(3);
   CHECK(table_of(rows).rows[1].verdict == Verdict::not_settled);
 }
 
-TEST_CASE("found 2.2: only ways to the same truth are compared, and a truth with one way has no front") {
+TEST_CASE("only ways to the same truth are compared, and a truth with one way has no front") {
   std::vector<ErrorTimeRow> rows{row("ggx", 0.1, 1, 0.01), row("ggx slow", 0.2, 2, 0.01),
                                  row("phong", 1e-9, 0.1, 0.01)};
   rows[0].truth = rows[1].truth = "GGX";
@@ -219,7 +219,7 @@ TEST_CASE("each figure has a link of its own and its CSV") {
   CHECK(!contains(error_time_csv(two, two.tables[0]), "others"));
 }
 
-TEST_CASE("found 3.6: the page says what a settled verdict covers") {
+TEST_CASE("the page says what a settled verdict covers") {
   CHECK(contains(error_time_page({}, std::vector{family()}), "on this machine and with this build"));
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/number.h"
+#include "core/light/rows.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
 #include "core/study/families/families.h"
@@ -30,6 +32,11 @@ double error(const ErrorTimeTable& in, std::string_view row, std::string_view me
   REQUIRE(r != in.rows.end());
   REQUIRE(m != in.metrics.end());
   return r->errors[static_cast<std::size_t>(m - in.metrics.begin())];
+}
+
+// What etak models claims of a light or a curve.
+std::string_view claim_of(std::string_view id) {
+  return std::ranges::find(light_rows(), id, &LightRow::id)->note;
 }
 
 // What every family promises: a base that is a row, as many errors as metrics, finite, times for the rows that its
@@ -105,7 +112,7 @@ TEST_CASE("quadrature: errors shrink with the step, auto keeps its bound, stiff 
   CHECK(!contains(note("exact"), "finer than the grid"));
 }
 
-TEST_CASE("found 3.7: no table repeats the errors of another one row for row") {
+TEST_CASE("no table repeats the errors of another one row for row") {
   const ErrorTimeFamily family = quadrature_family(quick());
   for (std::size_t i = 0; i < family.tables.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -200,6 +207,9 @@ TEST_CASE("hemispheres: mean albedo errors, and the share of the upper hemispher
   CHECK(error(share, "wide", "rms_0.25") == Approx(0.18).margin(0.006));
   CHECK(error(share, "corrected", "rms_1") == Approx(0.026).margin(0.024));
   CHECK(error(share, "wide", "rms_1") == Approx(0.013).margin(0.013));
+  CHECK(contains(claim_of("hemispheres-specular-wide"),
+                 "share " + number(error(share, "wide", "rms_0.75"), 2) + " at g = 0.75 (" +
+                     number(error(share, "corrected", "rms_0.75"), 2)));
   CHECK(error(share, "printed", "max") > 1);
   CHECK(error(share, "corrected", "max") <= 0.5);
   CHECK(contains(family.notes[0], "1 against 0.0069"));
@@ -213,6 +223,9 @@ TEST_CASE("transfer: errors of the shortcuts in codes and in linear light, as pr
   CHECK(error(encode, "power_1_22", "max_codes") == Approx(8.5).margin(0.05));
   CHECK(error(encode, "power_045", "max_codes") == Approx(9.0).margin(0.05));
   CHECK(error(encode, "root", "max_codes") == Approx(9.5).margin(0.05));
+  CHECK(contains(claim_of("power-2.2"), "+8.5 codes"));
+  CHECK(contains(claim_of("power-0.45"), "+9.0 codes"));
+  CHECK(contains(claim_of("sqrt"), "-9.5 codes"));
   CHECK(error(encode, "power_1_22", "codes_at_004") == Approx(2.7).margin(0.05));
   CHECK(error(encode, "power_045", "codes_at_004") == Approx(3.6).margin(0.05));
   CHECK(error(encode, "root", "codes_at_004") == Approx(-5.3).margin(0.05));
@@ -251,7 +264,7 @@ TEST_CASE("Fresnel: dielectrics are exact from F0, metals best with F82 for its 
 }
 
 TEST_CASE(
-    "found 3.5: Fresnel's sets are whole classes that their titles name, and absorbing organics are told "
+    "Fresnel's sets are whole classes that their titles name, and absorbing organics are told "
     "of") {
   const ErrorTimeFamily family = fresnel_family(quick());
   const auto library = MaterialLibrary::builtin();
@@ -287,7 +300,7 @@ TEST_CASE(
   CHECK_FALSE(contains(family.advice, "nothing can tell"));
 }
 
-TEST_CASE("found 2.1: Fresnel errors are of sound data, material by material; doubtful data stand apart") {
+TEST_CASE("Fresnel errors are of sound data, material by material; doubtful data stand apart") {
   const ErrorTimeTable metals = test::table(fresnel_family(quick()), "metals");
   // One bad table used to make the headline: 0.433 and 0.241.
   CHECK(error(metals, "schlick", "p90_abs") < 0.23);

@@ -183,7 +183,7 @@ TEST_CASE("the image family has every specular model of one reflection, and tell
   CHECK(image_error(dielectrics, "schueler-full") < 1.2 * image_error(dielectrics, "one_ray"));
 }
 
-TEST_CASE("found 2.2: a sphere's pictures are compared with others of the same lobe only") {
+TEST_CASE("a sphere's pictures are compared with others of the same lobe only") {
   const ErrorTimeFamily family = test::timed(image_family(quickest()));
   for (const char* id : {"metals", "dielectrics"}) {
     const ErrorTimeTable& table = test::table(family, id);

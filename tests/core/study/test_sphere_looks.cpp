@@ -52,7 +52,7 @@ TEST_CASE("the exact sphere differs from itself by nothing, F82 misses chromium 
   for (const SphereLook& look : looks) CHECK(look.worst_de >= look.mean_de);
 }
 
-TEST_CASE("found 2.3: a clear ball shows what is behind it, an opaque one does not") {
+TEST_CASE("a clear ball shows what is behind it, an opaque one does not") {
   const Vec3 clear{1, 1, 1}, tinted{1, 1, 0.25};
   const FresnelForm* const forms[] = {fresnel_form("schlick"), fresnel_form("from_f0")};
   for (const char* id : {"fused_silica", "water", "sapphire", "diamond"}) {

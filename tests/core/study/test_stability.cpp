@@ -74,7 +74,7 @@ TEST_CASE("a case that GL gets wrong fails, and text and JSON say so") {
   CHECK(contains(stability_text(cases()), "PASSED"));
 }
 
-TEST_CASE("found 2.8: cases in which the usual formula fails come first, the others are folded") {
+TEST_CASE("cases in which the usual formula fails come first, the others are folded") {
   const std::string brief = stability_text(cases()), all = stability_text(cases(), true),
                     page = stability_html(cases());
   std::size_t shown = 0, folded = 0;

@@ -98,7 +98,7 @@ ValidationReport report_with(std::size_t findings, bool one_place) {
 
 }  // namespace
 
-TEST_CASE("found 4.02: tables and pages are read in time proportional to their rows") {
+TEST_CASE("tables and pages are read in time proportional to their rows") {
   const auto table = [](const std::string& text) { (void)parse_table(text, "t.csv", {}); };
   const auto page = [](const std::string& text) {
     RiiPage out;
@@ -122,7 +122,7 @@ TEST_CASE("found 4.02: tables and pages are read in time proportional to their r
       [](const std::string& text) { (void)material_from_rii_page(text, "p.yml", ""); });
 }
 
-TEST_CASE("found 4.02: materials, manifests and projects are read in time proportional to their parts") {
+TEST_CASE("materials, manifests and projects are read in time proportional to their parts") {
   const std::string gold = format_material(*MaterialLibrary::builtin().find("gold"));
   const std::string flat = R"("diffuse":[0.5,0.5,0.5],"specular":[0.04,0.04,0.04],"gloss":0.5})";
   const auto named = [&](std::size_t i) { return "{\"name\":\"m" + std::to_string(i) + "\"," + flat; };
@@ -154,7 +154,7 @@ TEST_CASE("found 4.02: materials, manifests and projects are read in time propor
       [](const std::string& text) { (void)parse_material(text, "gold.json"); });
 }
 
-TEST_CASE("found 4.02: scenes are read in time proportional to nodes, meshes, materials and images") {
+TEST_CASE("scenes are read in time proportional to nodes, meshes, materials and images") {
   const auto read = [](const std::string& text) { (void)parse_gltf(text, "s.gltf", {}); };
   check_growth(
       "nodes", 500, [](std::size_t n) { return scene(n, 1, 1, 1); }, read);
@@ -286,7 +286,7 @@ TEST_CASE("texels in use and texel scales of all materials take time in proporti
   });
 }
 
-TEST_CASE("found 4.02: findings and baselines take time in proportion to their number") {
+TEST_CASE("findings and baselines take time in proportion to their number") {
   const auto entry = [](std::size_t i) {
     return R"({"rule":"ETK101","file":"f)" + std::to_string(i) + R"(.png"})";
   };
@@ -318,7 +318,7 @@ TEST_CASE("found 4.02: findings and baselines take time in proportion to their n
   check_growth("GitHub", 200, report, [](const auto& r) { (void)validation_github(r); });
 }
 
-TEST_CASE("found 4.02: rectangles are placed in time proportional to their number") {
+TEST_CASE("rectangles are placed in time proportional to their number") {
   const auto sizes = [](std::size_t n) {
     std::mt19937 random(1);
     std::vector<RectSize> out;

@@ -162,7 +162,7 @@ std::string sets_text(std::vector<std::string> files) {
 
 }  // namespace
 
-TEST_CASE("found 3.9: the 18 names of six conventions tell set, role, packing and parts") {
+TEST_CASE("the 18 names of six conventions tell set, role, packing and parts") {
   CHECK(std::size(found_names) == 18);
   check_names(found_names);
 }

@@ -126,7 +126,7 @@ TEST_CASE("headers are judged: companions, sizes, channels, sides, colour space,
   CHECK(find(checked(guessed, {}), "ETK010") != nullptr);
 }
 
-TEST_CASE("found 3.10: a colour profile is judged by its curves and primaries") {
+TEST_CASE("a colour profile is judged by its curves and primaries") {
   const TempFolder folder;
   const TextureSet set = natural_set(64, 1);
   const auto said = [&](const std::string& profile, FileRole role) {
@@ -317,7 +317,7 @@ TEST_CASE("the built-in materials are clean, and each fault of a material file i
   CHECK(find(check_text("{\"datasets\": "), "ETK611") != nullptr);
 }
 
-TEST_CASE("found 1.17: short data are an error where F0 is refused, and a remark where it is not") {
+TEST_CASE("short data are an error where F0 is refused, and a remark where it is not") {
   const TempFolder folder;
   const auto severity = [&](double first, double last) {
     std::string rows;

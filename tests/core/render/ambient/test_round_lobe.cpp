@@ -8,14 +8,7 @@
 namespace etak {
 namespace {
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"  // not all functions of the text are used
-namespace ambient_text {
-#include "core/math/real_f64.h"
-
-#include "core/light/ambient.glsl"
-}  // namespace ambient_text
-#pragma GCC diagnostic pop
+#include "core/render/ambient/ambient_text.h"
 
 }  // namespace
 

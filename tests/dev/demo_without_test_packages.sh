@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# found_1_01_bare.sh SOURCE SCRATCH: checks that the programs of ./dev demo need no package of the tests and
+# demo_without_test_packages.sh SOURCE SCRATCH: checks that the programs of ./dev demo need no package of the tests and
 # no source of them. (./dev fresh demo is the complete check; it takes minutes and needs root.)
 set -eu
 source=$1 scratch=$2

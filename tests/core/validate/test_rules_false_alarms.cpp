@@ -36,7 +36,7 @@ void paint(Image8& image, const PixelBox& box, std::array<int, 3> codes) {
 
 }  // namespace
 
-TEST_CASE("found 3.8: a flat F0 on a tooth of the comb, with some texels of others, is no comb") {
+TEST_CASE("a flat F0 on a tooth of the comb, with some texels of others, is no comb") {
   for (const auto& [flat_areas, share] :
        {std::pair(1, 8e-4), std::pair(2, 8e-4), std::pair(3, 8e-4), std::pair(1, 8e-3), std::pair(3, 8e-3)}) {
     TextureSet set = wall();
@@ -55,7 +55,7 @@ TEST_CASE("found 3.8: a flat F0 on a tooth of the comb, with some texels of othe
   }
 }
 
-TEST_CASE("found 3.8: a comb beside a flat area is found") {
+TEST_CASE("a comb beside a flat area is found") {
   TextureSet set = wall();
   Random random(2);
   constexpr std::array comb{34, 38, 42, 46, 50, 53, 59, 61, 64, 66, 69, 71};
@@ -71,8 +71,7 @@ TEST_CASE("found 3.8: a comb beside a flat area is found") {
         "98,304 dark values use 12 of 101 codes, those of an 8-bit linear source");
 }
 
-TEST_CASE(
-    "found 3.7: an unnamed F0 in the zone is an error, unless a common material has it, which is named") {
+TEST_CASE("an unnamed F0 in the zone is an error, unless a common material has it, which is named") {
   std::vector<int> warned;
   for (int code = 125; code <= 177; ++code) {
     TextureSet set = wall(64);
@@ -111,7 +110,7 @@ TEST_CASE("the common materials of the zone are those that people paint") {
                                            "silicon_amorphous", "titanium_nitride"});
 }
 
-TEST_CASE("found 3.10: premultiplied colour is found beside metals, whose diffuse is black") {
+TEST_CASE("premultiplied colour is found beside metals, whose diffuse is black") {
   for (const std::array<int, 3> diffuse_of_metal : {std::array{0, 0, 0}, std::array{9, 7, 5}}) {
     TextureSet set = wall();
     each_texel(set.a, [](auto texel, int x, int y) {
@@ -136,7 +135,7 @@ TEST_CASE("found 3.10: premultiplied colour is found beside metals, whose diffus
   }
 }
 
-TEST_CASE("found 3.10: a wide ramp of F0 is not accused of being encoded twice") {
+TEST_CASE("a wide ramp of F0 is not accused of being encoded twice") {
   for (const auto& [first, last] : {std::pair(53, 196), std::pair(20, 250), std::pair(80, 175)}) {
     TextureSet set = wall();
     each_texel(set.b, [&](auto texel, int x, int) {
@@ -155,7 +154,7 @@ TEST_CASE("found 3.10: a wide ramp of F0 is not accused of being encoded twice")
   CHECK(find(check_set(set), "ETK402") != nullptr);
 }
 
-TEST_CASE("found 3.10: where alpha is 0 all over, gloss is not judged besides") {
+TEST_CASE("where alpha is 0 all over, gloss is not judged besides") {
   TextureSet set = wall();
   each_texel(set.a, [](auto texel, int, int) { texel[3] = 0; });
   each_texel(set.b, [](auto texel, int, int) { texel[3] = to_byte(texel[3] / 40 * 40); });
@@ -167,7 +166,7 @@ TEST_CASE("found 3.10: where alpha is 0 all over, gloss is not judged besides") 
   CHECK(find(check_set(set), "ETK304") != nullptr);
 }
 
-TEST_CASE("found 3.10: small patches with hard edges are told from edges, and both have a place") {
+TEST_CASE("small patches with hard edges are told from edges, and both have a place") {
   for (const int side : {7, 8}) {
     TextureSet set = wall();
     paint(set.b, {200, 210, side, side}, {160, 160, 160});
@@ -196,7 +195,7 @@ TEST_CASE("found 3.10: small patches with hard edges are told from edges, and bo
       "ETK101; edges and thin features on 435 px (0.17 %)");
 }
 
-TEST_CASE("found 3.10: blurred edges are no patches, and their box is around them") {
+TEST_CASE("blurred edges are no patches, and their box is around them") {
   for (const double sigma : {0.0, 1.0, 2.0, 3.0, 4.0})
     for (const double metal : {0.55, 0.95})
       for (const Blend blend : {Blend::linear, Blend::encoded}) {
@@ -215,7 +214,7 @@ TEST_CASE("found 3.10: blurred edges are no patches, and their box is around the
   CHECK(find(lines, "ETK102")->box == PixelBox{40, 50, 160, 252});
 }
 
-TEST_CASE("found 3.10: coloured metals with red and blue exchanged are told, and which metal it is") {
+TEST_CASE("coloured metals with red and blue exchanged are told, and which metal it is") {
   std::vector<std::string> exchanged;
   for (const KnownF0& entry : KnownMaterials::builtin().f0()) {
     if (!entry.conductor || !entry.preferred) continue;
@@ -248,7 +247,7 @@ TEST_CASE("found 3.10: coloured metals with red and blue exchanged are told, and
   CHECK(find(named, "ETK112")->cause == "possible cause: red and blue exchanged");
 }
 
-TEST_CASE("found 3.10: posterised F0 is told as posterised diffuse is, and flat materials are not") {
+TEST_CASE("posterised F0 is told as posterised diffuse is, and flat materials are not") {
   TextureSet set = wall();
   each_texel(set.b, [](auto texel, int x, int) {
     const int code = 36 + 180 * x / 511 / 12 * 12;
@@ -274,7 +273,7 @@ TEST_CASE("found 3.10: posterised F0 is told as posterised diffuse is, and flat 
   CHECK(materials.stats.passes == 1);
 }
 
-TEST_CASE("found 3.10: of channels that stand at 255 each is named") {
+TEST_CASE("of channels that stand at 255 each is named") {
   const auto said = [](std::array<int, 3> codes) {
     TextureSet set = wall(128);
     paint(set.b, {0, 0, 128, 64}, codes);
@@ -292,7 +291,7 @@ TEST_CASE("found 3.10: of channels that stand at 255 each is named") {
   CHECK(said({255, 255, 255}) == "nothing");
 }
 
-TEST_CASE("found 3.10: black diffuse is not to be brightened where it may be glass or a metal") {
+TEST_CASE("black diffuse is not to be brightened where it may be glass or a metal") {
   TextureSet set = wall(128);
   paint(set.a, {20, 20, 40, 40}, {0, 0, 0});
   const CheckedFile black = check_set(set);
@@ -304,7 +303,7 @@ TEST_CASE("found 3.10: black diffuse is not to be brightened where it may be gla
   CHECK(find(dark, "ETK202")->fix.starts_with("Brighten to code 30 or more"));
 }
 
-TEST_CASE("found 3.10: a metallic value has no nearest materials") {
+TEST_CASE("a metallic value has no nearest materials") {
   TextureSet set = wall(128);
   set.metallic = Image8(128, 128, 1, 0);
   for (int y = 20; y < 60; ++y)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# found_3_13_demo.sh ETAK DEMO_SCENE START_PAGE SCRATCH: the demo's scene saves at least half of its texels, the
+# demo_saves_half.sh ETAK DEMO_SCENE START_PAGE SCRATCH: the demo's scene saves at least half of its texels, the
 # validator finds fault with the mistakes alone, each material of which has one, and the start page says both.
 set -eu
 etak=$1 demo_scene=$2 start_page=$3 scratch=$4

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# found_4_14_hardening.sh FILE...: checks that each program and module is built with the hardening flags of a
+# hardening.sh FILE...: checks that each program and module is built with the hardening flags of a
 # distribution.
 set -eu
 command -v readelf >/dev/null && command -v objdump >/dev/null || { echo "no readelf or objdump here"; exit 77; }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/math/mat3.h"
+
+namespace etak {
+
+/// Triangles with a normal and a UV at each vertex, for a picture of a shape of one's own.
+struct Mesh {
+  struct Vertex {
+    std::array<float, 3> position,
+        normal;                 // the normal has length 1; to which side it points does not matter
+    std::array<float, 2> uv{};  // from the top left corner of a texture
+  };
+  std::vector<Vertex> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  bool has_uvs = true;
+};
+
+constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+}  // namespace etak

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/surface_textures.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/light/studio.h"
+#include "core/render/cpu_renderer.h"
+#include "core/render/environment.h"
+#include "core/render/reference.h"
+#include "tests/support.h"
+
+namespace etak {
+namespace {
+
+Scene lit_scene(const char* model) {
+  Scene scene;
+  scene.width = scene.height = 40;
+  scene.surface.f0 = {0.95, 0.64, 0.54};
+  scene.surface.diffuse = {0.2, 0.1, 0.3};
+  scene.surface.gloss = 0.8;
+  complete_from_f0(scene.surface);
+  scene.specular = find_model(model);
+  scene.specular_values = model_values(*scene.specular, scene.surface, {});
+  scene.diffuse = find_model("lambert");
+  scene.diffuse_values = model_values(*scene.diffuse, scene.surface, {});
+  scene.lights = default_lights();
+  scene.lights.environment = "studio";
+  return scene;
+}
+
+Image filled(int width, int height, const std::vector<float>& texel) {
+  Image out(width, height, static_cast<int>(texel.size()));
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = texel[i % texel.size()];
+  return out;
+}
+
+float largest_gap(const Image& a, const Image& b) {
+  float out = 0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) out = std::max(out, std::abs(a.values[i] - b.values[i]));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("textures of one emission and of one occlusion are the numbers: moving, refined and reference") {
+  const Environment studio(environment_picture(*find_studio("studio"), 64), 1, "studio", 2);
+  const Image emission = filled(3, 2, {0.5F, 0.25F, 2}), occlusion = filled(1, 4, {0.5F});
+  for (const bool emits : {true, false})
+    for (const bool occluded : {true, false}) {
+      Scene numbers = lit_scene("ggx-schlick"), textured = numbers;
+      if (emits) {
+        numbers.surface.emission = {0.4, 0.05, 1};
+        textured.surface.emission = {0.8, 0.2, 0.5};
+      }
+      if (occluded) numbers.surface.occlusion = 0.4, textured.surface.occlusion = 0.8;
+      textured.textures = surface_textures(
+          {.emission = emits ? &emission : nullptr, .occlusion = occluded ? &occlusion : nullptr});
+      for (const bool refined : {false, true}) {
+        numbers.refined = textured.refined = refined;
+        Image expected, got;
+        render_cpu(numbers, &studio, 2, Precision::f64, expected);
+        render_cpu(textured, &studio, 2, Precision::f64, got);
+        INFO("emits " << emits << ", occluded " << occluded << ", refined " << refined);
+        CHECK(largest_gap(expected, got) < 1e-5F);
+      }
+      const ReferenceOptions options{2, 4, 2};
+      CHECK(largest_gap(render_reference(numbers, &studio, options).picture,
+                        render_reference(textured, &studio, options).picture) < 1e-5F);
+    }
+}
+
+TEST_CASE("emission and occlusion lie where the texture has them, in every kind of picture") {
+  Image emission(2, 1, 3), occlusion(2, 1, 1, 1);
+  emission.at(0, 0)[0] = 1;   // red at the left
+  occlusion.at(1, 0)[0] = 0;  // no light from all around at the right
+  Scene scene = lit_scene("ggx-schlick");
+  scene.shape = Shape::quad;
+  scene.surface.emission = {3, 3, 3};
+  scene.lights.lights.clear();
+  scene.lights.environment.clear();
+  scene.textures = surface_textures({.emission = &emission, .occlusion = &occlusion});
+  Image quick;
+  render_cpu(scene, nullptr, 1, Precision::f64, quick);
+  for (const Image& picture : {quick, render_reference(scene, nullptr, {1, 16, 1}).picture}) {
+    CHECK(picture.at(6, 20)[0] > 3);
+    CHECK(picture.at(6, 20)[1] > 0.01F);
+    CHECK(picture.at(33, 20)[0] == 0);
+    CHECK(picture.at(33, 20)[1] == 0);
+  }
+}
+
+TEST_CASE("emission and occlusion of two sizes become one texture of the larger size") {
+  Image emission(2, 1, 3);
+  emission.at(1, 0)[2] = 8;
+  const Image occlusion = filled(1, 3, {0.25F});
+  const Image both = emission_texture(&emission, &occlusion);
+  CHECK(both.width == 2);
+  CHECK(both.height == 3);
+  for (int y = 0; y < 3; ++y) {
+    CHECK(both.at(0, y)[2] == 0);
+    CHECK(both.at(1, y)[2] == 8);
+    CHECK(both.at(1, y)[3] == 0.25F);
+  }
+  CHECK(emission_texture(&emission, nullptr).at(0, 0)[3] == 1);
+  CHECK(emission_texture(nullptr, &occlusion).at(0, 0)[0] == 1);
+  CHECK(emission_texture(nullptr, nullptr).width == 0);
+  CHECK(test::error_of([&] { (void)emission_texture(&occlusion, nullptr); }) ==
+        "texture: 1 channels; expected three");
+}
+
+TEST_CASE("a scene has the samplers of the textures that it has, and no others") {
+  const Image picture(2, 2, 3);
+  CHECK(samplers_of(*surface_textures({})).empty());
+  const auto laid = surface_textures({.body = &picture, .emission = &picture});
+  const auto found = samplers_of(*laid);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].first == std::string("surface_body"));
+  CHECK(found[1].first == std::string("surface_emission"));
+}
+
+}  // namespace etak
