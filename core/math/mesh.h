@@ -11,10 +11,12 @@ namespace etak {
 
 /// Triangles with a normal and a UV at each vertex, for a picture of a shape of one's own.
 struct Mesh {
+  /// A corner of triangles.
+  ///   normal   of length 1; to which side it points does not matter
+  ///   uv       from the top left corner of a texture
   struct Vertex {
-    std::array<float, 3> position,
-        normal;                 // the normal has length 1; to which side it points does not matter
-    std::array<float, 2> uv{};  // from the top left corner of a texture
+    std::array<float, 3> position, normal;
+    std::array<float, 2> uv{};
   };
   std::vector<Vertex> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -327,8 +327,8 @@ vec3 seen_at(const Shading& shading, const Chunk& c, std::size_t i, int column, 
   if (shading.clear()) seen = seen + behind * c.through[i];
   if (!shading.marked()) return seen;
   const Marks marks = marks_at(shading, c, i);
-  seen = with_stripes(seen, marks.zone, marks.energy, real(column), real(row), real(scene.exposure));
-  return scene.mark_angles ? with_angle_zones(seen, real(c.local_viewer[2][i]), real(scene.exposure)) : seen;
+  if (scene.mark_angles) seen = with_angle_zones(seen, real(c.local_viewer[2][i]), real(scene.exposure));
+  return with_stripes(seen, marks.zone, marks.energy, real(column), real(row), real(scene.exposure));
 }
 
 // Writes the pixels of a piece to `row`.

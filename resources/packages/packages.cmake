@@ -29,6 +29,7 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME etak)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fonts-dejavu-core")  # the text of plots as PNG
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "etak-editor, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "measured optics into materials a renderer can trust
 etak computes the colour of a surface at normal incidence (F0) from published
@@ -70,6 +71,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${PROJECT_SOURCE_DIR}/resources/packages/python/postinst;${PROJECT_SOURCE_DIR}/resources/packages/python/prerm")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "fonts-dejavu-core")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "Python module of measured optics and shading models
 The library of etak for Python, with numpy arrays: F0 of measured materials

@@ -167,6 +167,33 @@ class Curves : public QObject {
     picture_of(panel, 1).save(pictures_ + "/no-model.png");
   }
 
+  void kept_curves_stand_beside_the_next_material() {
+    CurvesPanel panel;
+    panel.resize(640, 360);
+    panel.show();
+    auto* tabs = panel.findChild<QTabWidget*>();
+    const auto csv = [&] {
+      panel.current_plot()->copy_csv();
+      return QApplication::clipboard()->text();
+    };
+    show_material(panel, "gold");
+    QVERIFY(wait(panel));
+    panel.keep();
+    panel.keep();  // the same curves are kept once
+    show_material(panel, "copper");
+    QVERIFY(wait(panel));
+    for (const int tab : {1, 2, 3}) {
+      tabs->setCurrentIndex(tab);
+      const QString both = csv();
+      QCOMPARE(both.section('\n', 0, 0).count(QStringLiteral("Gold")), 1);
+      QCOMPARE(both.section('\n', 0, 0).count(QStringLiteral("Copper")), 1);
+      picture_of(panel, 1).save(QString("%1/kept-%2.png").arg(pictures_, names_[tab]));
+    }
+    panel.forget_kept();
+    tabs->setCurrentIndex(1);
+    QVERIFY(!csv().contains(QStringLiteral("Gold")));
+  }
+
   void an_authored_surface_keeps_its_lobe() {
     CurvesPanel panel;
     panel.set_surface("mine", 0.5, &model(), initial_values(model()));

@@ -218,6 +218,21 @@ class ViewportGl : public QObject {
     state.a.surface.diffuse = {0.9, 0.9, 0.9};
     state.exposure = 2;
     check(state, "energy");
+    state.energy_overlay = false;
+    viewport->set_state(state);
+    const QImage plain = viewport->grab_picture();
+    state.angle_overlay = true;
+    check(state, "zones of angle");
+    // Up to 45 degrees the ball is as it was; beyond, it is tinted.
+    const QImage tinted = viewport->grab_picture();
+    const QPoint middle = plain.rect().center();
+    QCOMPARE(tinted.pixel(middle), plain.pixel(middle));
+    int changed = 0;
+    for (int y = 0; y < plain.height(); ++y)
+      changed += tinted.pixel(middle.x(), y) != plain.pixel(middle.x(), y);
+    QVERIFY(changed > 0);
+    state.energy_overlay = true;
+    check(state, "zones of angle and stripes");
   }
 
   void by_open_color_io() {

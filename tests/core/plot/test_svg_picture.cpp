@@ -15,7 +15,7 @@ namespace {
 
 const auto no_text = [](std::string_view, int) { return TextPicture(); };
 
-LinePlot small() {
+LinePlot two_levels() {
   LinePlot plot;
   plot.x = {"angle of incidence, degrees", 0, 90, {0, 45, 90}};
   plot.left = {"F, luminance", 0, 1, {0, 0.5, 1}};
@@ -45,7 +45,7 @@ bool edge_is_empty(const Image8& picture, std::string_view background) {
 TEST_CASE("a plot as pixels has its lines where the SVG has them, in their colours and with their gaps") {
   for (const bool dark : {false, true}) {
     const PlotColors& colors = plot_colors(dark);
-    const Image8 picture = svg_picture(svg_file(small(), dark), no_text);
+    const Image8 picture = svg_picture(svg_file(two_levels(), dark), no_text);
     CHECK(picture.width == 920);
     CHECK(picture.height == 540);
     // The frame is 30 to 222 units high, two pixels each: 0.25 stands at 174, 0.75 at 78.
@@ -76,7 +76,7 @@ TEST_CASE("an arc of a polar plot goes over the top, from rim to rim") {
 }
 
 TEST_CASE("the text of a plot is drawn whole, and the same each time") {
-  const std::string file = svg_file(small(), false);
+  const std::string file = svg_file(two_levels(), false);
   const Image8 picture = svg_picture(file, text_picture);
   CHECK(edge_is_empty(picture, "#ffffff"));
   CHECK(picture != svg_picture(file, no_text));
