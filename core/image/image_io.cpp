@@ -5,7 +5,9 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "core/base/error.h"
@@ -255,7 +257,39 @@ PictureDoor picture_door() {
           text_picture};
 }
 
+namespace {
+
+// A ring as high as the digits before it.
+TextPicture with_degree_sign(TextPicture text, int size) {
+  const double radius = 0.14 * size, half_width = 0.035 * size;
+  TextPicture out;
+  out.left = text.left;
+  out.top = std::min(text.top, -static_cast<int>(std::ceil(0.78 * size)));
+  const int bottom = std::max(text.top + text.coverage.height, 0), gap = size / 12;
+  out.coverage = Image(text.coverage.width + gap + static_cast<int>(std::ceil(2 * (radius + half_width))) + 1,
+                       bottom - out.top, 1);
+  for (int y = 0; y < text.coverage.height; ++y)
+    for (int x = 0; x < text.coverage.width; ++x)
+      out.coverage.at(x, y + text.top - out.top)[0] = text.coverage.at(x, y)[0];
+  const double middle_x = text.coverage.width + gap + radius + half_width,
+               middle_y = -0.75 * size + radius + half_width - out.top;
+  for (int y = 0; y < out.coverage.height; ++y)
+    for (int x = text.coverage.width; x < out.coverage.width; ++x) {
+      const double off = std::abs(std::hypot(x + 0.5 - middle_x, y + 0.5 - middle_y) - radius);
+      out.coverage.at(x, y)[0] = static_cast<float>(std::clamp(half_width + 0.5 - off, 0.0, 1.0));
+    }
+  return out;
+}
+
+}  // namespace
+
 TextPicture text_picture(std::string_view text, int size) {
+  // OpenImageIO 2.4 takes letters beyond ASCII for others.
+  constexpr std::string_view degree = "\u00b0";
+  if (text.ends_with(degree))
+    return with_degree_sign(text_picture(text.substr(0, text.size() - degree.size()), size), size);
+  if (std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) > 126; }))
+    throw Error::at(printable(text, 200), "letters beyond ASCII, which pictures of text do not have", "SVG");
   // A whole path, because OpenImageIO looks for a mere name in the working folder first.
   static const char* const font = [] {
     constexpr std::array places{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",

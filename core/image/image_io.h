@@ -40,7 +40,8 @@ Picture read_picture(const std::string& path);
 ///   label   for messages: the path, or the name of the thing that contains the bytes
 Picture read_picture(std::string_view bytes, const std::string& label);
 
-/// A line of text in DejaVu Sans, of which the file is looked for where systems keep it. Throws Error where there is none.
+/// A line of text in DejaVu Sans, of which the file is looked for where systems keep it. Throws Error where there is none,
+/// and for letters beyond ASCII other than a degree sign at the end.
 ///   size   of the font in pixels
 TextPicture text_picture(std::string_view text, int size);
 

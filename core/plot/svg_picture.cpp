@@ -44,6 +44,14 @@ double number_of(const Properties& of, std::string_view name, double standard = 
   return out;
 }
 
+// A length in units; a share of `all` where it ends in %, and `all` where it is not there.
+double length_of(const Properties& of, std::string_view name, double all) {
+  const std::string text = text_of(of, name);
+  double number = 0;
+  if (!parse_number(text.substr(0, text.find('%')), number)) return all;
+  return text.ends_with('%') ? all * number / 100 : number;
+}
+
 // The text that escape_html() has escaped.
 std::string plain(std::string_view text) {
   constexpr std::pair<std::string_view, char> escapes[] = {
@@ -180,9 +188,9 @@ Image8 svg_picture(std::string_view svg,
       const std::vector<double> by = numbers_of(text_of(of, "transform"));
       moved = {by.at(0), by.at(1)};
     } else if (name == "rect") {
-      const int left = whole(place.real()), top = whole(place.imag());  // all of the picture without sides
-      const int right = whole(place.real() + scale * number_of(of, "width", picture.width)),
-                bottom = whole(place.imag() + scale * number_of(of, "height", picture.height));
+      const int left = whole(place.real()), top = whole(place.imag());
+      const int right = whole(place.real() + scale * length_of(of, "width", picture.width / scale)),
+                bottom = whole(place.imag() + scale * length_of(of, "height", picture.height / scale));
       cover(picture, {Image(right - left, bottom - top, 1, 1), left, top}, text_of(of, "fill"),
             number_of(of, "fill-opacity", 1));
     } else if (name == "text") {

@@ -87,4 +87,10 @@ TEST_CASE("the text of a plot is drawn whole, and the same each time") {
   CHECK(one.top == -one.coverage.height);  // F stands on the base line
   CHECK(two.coverage.width > 2 * one.coverage.width);
   CHECK(text_picture(" ", 24).coverage.values.empty());
+  // A degree sign is a ring behind the digits, as high as they are and with nothing within it.
+  const TextPicture bare = text_picture("30", 24), degrees = text_picture("30\u00b0", 24);
+  CHECK(degrees.coverage.width > bare.coverage.width + 5);
+  CHECK(degrees.coverage.width < bare.coverage.width + 14);
+  CHECK(degrees.top <= bare.top);
+  CHECK(contains(error_of([] { (void)text_picture("\u00c5", 24); }), "beyond ASCII"));
 }
