@@ -58,7 +58,7 @@ struct PictureFile {
   std::string label;  // for messages: the path, or the name of the thing that contains the bytes
 };
 
-/// A line of text as the part of each pixel that it covers, in one channel; empty for blanks.
+/// A line of text as the part of each pixel that it covers, in one channel.
 ///   left, top   place of its first column and row from the point where the text begins on its base line
 struct TextPicture {
   Image coverage;

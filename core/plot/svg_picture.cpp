@@ -39,9 +39,8 @@ std::string text_of(const Properties& of, std::string_view name) {
 }
 
 double number_of(const Properties& of, std::string_view name, double standard = 0) {
-  double out = standard;
-  parse_number(text_of(of, name), out);
-  return out;
+  double out = 0;
+  return parse_number(text_of(of, name), out) ? out : standard;
 }
 
 // A length in units; a share of `all` where it ends in %, and `all` where it is not there.
