@@ -11,7 +11,7 @@ const QStringList& screenshot_states() {
   static const QStringList states =
       QStringLiteral(
           "default reflectance fresnel lobe shader textures light view compare "
-          "wedge quad zone energy gamut library preview findings pack keys problem empty "
+          "wedge quad zone energy angles gamut library preview findings pack keys problem empty "
           "glass water rim overcast sunset night backdrop ground exposure")
           .split(QLatin1Char(' '));
   return states;

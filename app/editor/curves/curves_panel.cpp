@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolButton>
@@ -95,20 +96,26 @@ QWidget* CurvesPanel::with_controls(PlotWidget* plot, const std::vector<QWidget*
   row->setSpacing(4);
   row->addStretch();
   for (QWidget* control : controls) row->addWidget(control);
-  const auto button = [&](const QString& text, const QString& name, auto* owner, auto act) {
+  const auto button = [&](const QString& text, const QString& name) {
     auto* out = new QToolButton;
     out->setText(text);
     out->setToolTip(name);
     out->setAccessibleName(name);
-    connect(out, &QToolButton::clicked, owner, act);
     row->addWidget(out);
+    return out;
   };
   if (plot != index_) {
-    button(tr("Keep"), tr("Keep these curves beside the next"), this, &CurvesPanel::keep);
-    button(tr("Clear"), tr("Forget the kept curves"), this, &CurvesPanel::forget_kept);
+    // One narrow button, since two with words would make the window wider than a small screen.
+    QToolButton* const kept = button(tr("+"), tr("Curves beside those of the next material"));
+    auto* menu = new QMenu(kept);
+    menu->addAction(tr("&Keep these curves"), this, &CurvesPanel::keep);
+    menu->addAction(tr("&Forget the kept curves"), this, &CurvesPanel::forget_kept);
+    kept->setMenu(menu);
+    kept->setPopupMode(QToolButton::InstantPopup);
   }
-  button(tr("CSV"), tr("Copy the curves as CSV"), plot, &PlotWidget::copy_csv);
-  button(tr("SVG"), tr("Copy the plot as SVG"), plot, &PlotWidget::copy_svg);
+  connect(button(tr("CSV"), tr("Copy the curves as CSV")), &QToolButton::clicked, plot,
+          &PlotWidget::copy_csv);
+  connect(button(tr("SVG"), tr("Copy the plot as SVG")), &QToolButton::clicked, plot, &PlotWidget::copy_svg);
   beside_tabs_->addWidget(own);
   return page;
 }
