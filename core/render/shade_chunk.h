@@ -37,6 +37,12 @@ struct Chunk {
   Triple emission;                // radiance that the points send out by themselves
   Lane occlusion;                 // share of the light of hemispheres and environment that reaches them
   std::array<Lane, 5> area_lobe;  // a, b, d, e and the plain cosine's share: core/light/area_lobes.h
+
+  // Takes as many of the `most` next points as there is room for.
+  void set_count(std::size_t most) {
+    count = std::min(chunk_size, most);
+    whole_blocks = (count + block - 1) / block * block;
+  }
 };
 
 // One light, as the numbers that the loops need.

@@ -259,34 +259,42 @@ void check_picture_name(const RenderArguments& arguments) {
                       "one of them");
 }
 
-void lay_mesh(const std::string& path, Scene& scene) {
-  if (path.empty()) return;
+// The mesh of --mesh; null without that.
+std::shared_ptr<const Mesh> mesh_of(const RenderArguments& arguments) {
+  const std::string& path = arguments.mesh;
+  if (path.empty()) return nullptr;
   if (!is_gltf_file(path)) throw Error::at(printable(path, 200), "no glTF scene", ".gltf or .glb");
   GltfOptions options;
   options.mesh = true;
   Mesh mesh = read_gltf(path, options).mesh;
-  if (scene.textures && !mesh.has_uvs)
+  if (arguments.scene.textures && !mesh.has_uvs)
     throw Error::at(path, "a mesh without UVs", "TEXCOORD_0 in each primitive, by which textures are laid");
-  scene.mesh = std::make_shared<const Mesh>(in_place_of_ball(std::move(mesh), path));
+  return std::make_shared<const Mesh>(in_place_of_ball(std::move(mesh), path));
 }
 
-//   environment   of the scene; null: made here, for all objects of a sweep
+// What the objects of a sweep share.
+//   environment   null until the first object is drawn
+struct Shared {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const Environment> environment;
+};
+
 Image draw_one(RenderArguments& arguments, unsigned threads, Scene& scene, SceneNotes& notes, Stats& stats,
-               std::shared_ptr<const Environment>& environment) {
+               Shared& shared) {
   scene = scene_of(arguments.scene, notes);
   if (arguments.reference && scene.textured().values())
     throw Error::at("--reference", "draws no textures of diffuse colour, F0 and gloss",
                     "no --texture and no --gloss-texture");
-  lay_mesh(arguments.mesh, scene);
+  scene.mesh = shared.mesh;
   tell_held_gloss(scene, notes);
   stats.subject = notes.subject;
   const auto begin = Clock::now();
-  if (!environment)
-    environment = with_memory_for(
+  if (!shared.environment)
+    shared.environment = with_memory_for(
         scene.lights.environment, [] { return "the light of its texels"; },
         [&] { return environment_of(scene, threads); });
   stats.prepare_ms = ms_since(begin);
-  const Environment* light = environment.get();
+  const Environment* light = shared.environment.get();
   return arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
          : arguments.device == "gl" ? draw_gl(scene, light, arguments.frames, stats)
                                     : draw_cpu(arguments, scene, light, threads, stats);
@@ -305,18 +313,17 @@ int draw_within_memory(RenderArguments& arguments) {
   arguments.scene.refined = arguments.ambient == "refined" && !arguments.reference;
   read_textures(arguments.scene);
   Scene scene;
-  std::shared_ptr<const Environment> environment;
+  Shared shared{mesh_of(arguments), nullptr};
   if (!arguments.sweep.empty()) {
-    const Image row = draw_sweep(arguments, [&](RenderArguments& one) {
-      return draw_one(one, threads, scene, notes, stats, environment);
-    });
+    const Image row = draw_sweep(
+        arguments, [&](RenderArguments& one) { return draw_one(one, threads, scene, notes, stats, shared); });
     write_picture(arguments, scene, row);
     std::set<std::string> told;
     for (const std::string& each : notes.remarks)
       if (told.insert(each).second) remark(arguments.stats, each);
     return exit_ok;
   }
-  const Image picture = draw_one(arguments, threads, scene, notes, stats, environment);
+  const Image picture = draw_one(arguments, threads, scene, notes, stats, shared);
   if (!arguments.picture.empty()) write_picture(arguments, scene, picture);
   say(arguments, scene, stats, notes, threads);
   return exit_ok;

@@ -131,8 +131,29 @@ class Target {
   GLuint frame_ = 0, texture_ = 0;
 };
 
-// A float texture on texture unit `unit`. A picture is filtered bilinearly; an array of numbers is read texel by texel.
-class FloatTexture {
+// A texture on texture unit `unit`, without filtering.
+class Texture {
+ public:
+  ///   inside   how OpenGL keeps the texels; the other formats are those of `texels`
+  Texture(int unit, GLint inside, int width, int height, GLenum channels, GLenum type, const void* texels) {
+    glGenTextures(1, &id_);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, inside, width, height, 0, channels, type, texels);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  }
+  ~Texture() { glDeleteTextures(1, &id_); }
+  Texture(const Texture&) = delete;
+  Texture& operator=(const Texture&) = delete;
+
+ private:
+  GLuint id_ = 0;
+};
+
+// Floats: a picture is filtered bilinearly; an array of numbers is read texel by texel.
+class FloatTexture : public Texture {
  public:
   //   round   the first column follows the last; else the edges are repeated on all sides
   FloatTexture(int unit, const Image& map, bool round)
@@ -142,43 +163,17 @@ class FloatTexture {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, round ? GL_REPEAT : GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   }
-  FloatTexture(int unit, int width, int height, const std::vector<float>& rgb, GLenum channels = GL_RGB) {
-    glGenTextures(1, &id_);
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, id_);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    // Drivers read texels of four floats faster than those of three.
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, channels, GL_FLOAT, rgb.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  }
-  ~FloatTexture() { glDeleteTextures(1, &id_); }
-  FloatTexture(const FloatTexture&) = delete;
-  FloatTexture& operator=(const FloatTexture&) = delete;
-
- private:
-  GLuint id_ = 0;
+  // Drivers read texels of four floats faster than those of three.
+  FloatTexture(int unit, int width, int height, const std::vector<float>& rgb, GLenum channels = GL_RGB)
+      : Texture(unit, GL_RGBA32F, width, height, channels, GL_FLOAT, rgb.data()) {}
 };
 
-// A texture of 8-bit codes on texture unit `unit`: four channels, sRGB-encoded colours, without filtering.
-class CodeTexture {
+// 8-bit codes in four channels; the colours are sRGB-encoded.
+class CodeTexture : public Texture {
  public:
-  CodeTexture(int unit, const Image8& rgba) {
-    glGenTextures(1, &id_);
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, id_);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, rgba.width, rgba.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 rgba.values.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  }
-  ~CodeTexture() { glDeleteTextures(1, &id_); }
-  CodeTexture(const CodeTexture&) = delete;
-  CodeTexture& operator=(const CodeTexture&) = delete;
-
- private:
-  GLuint id_ = 0;
+  CodeTexture(int unit, const Image8& rgba)
+      : Texture(unit, GL_SRGB8_ALPHA8, rgba.width, rgba.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                rgba.values.data()) {}
 };
 
 // Measures the time of drawing between start() and stop() by OpenGL's own clock, where it has one.

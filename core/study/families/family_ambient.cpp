@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/number.h"
@@ -22,7 +23,7 @@ namespace {
 constexpr std::array ids{
     "schueler-optimized-bounded", "ggx-schlick", "ggx-f82", "ggx-exact", "cook-torrance", "blinn-phong"};
 constexpr std::array materials{"gold", "osmium", "water"};
-constexpr std::array environments{"studio", "sunset", "night"};
+constexpr std::array<std::string_view, 3> environments{"studio", "sunset", "night"};
 
 struct Errors {
   std::array<double, measured_glosses.size()> mean{};
@@ -48,8 +49,8 @@ std::vector<Scene> scenes_at(double gloss, int side) {
 std::array<Errors, ids.size()> measure(const ReportOptions& options) {
   const int side = options.full ? 64 : 32;
   std::array<Errors, ids.size()> out;
-  for (const char* name : environments) {
-    const auto environment = studio_environment(name, 1, options.threads);
+  for (const std::string_view name : environments) {
+    const auto environment = studio_environment(std::string(name), 1, options.threads);
     for (std::size_t g = 0; g < measured_glosses.size(); ++g) {
       std::vector<Scene> scenes = scenes_at(measured_glosses[g], side);
       const auto truths = ambient_truths(scenes, *environment, options.full ? 2048 : 1024, options.threads);
@@ -60,7 +61,7 @@ std::array<Errors, ids.size()> measure(const ReportOptions& options) {
         Errors& errors = out[i % ids.size()];
         errors.mean[g] += off.mean / (materials.size() * environments.size());
         errors.p99 = std::max(errors.p99, off.p99);
-        if (name != environments[0] || i >= ids.size()) continue;
+        if (name != environments.front() || i >= ids.size()) continue;
         scenes[i].refined = true;
         render_cpu(scenes[i], environment.get(), options.threads, Precision::f32, shown);
         errors.refined += ambient_difference(truths[i], shown).mean / measured_glosses.size();
