@@ -65,13 +65,6 @@ void fill_evidence(std::optional<PictureEvidence>& picture, const RowSource* sou
   if (source != nullptr && !picture) picture = {source->header(), label, role, {}};
 }
 
-std::string label_with(const CheckTarget& target, std::initializer_list<FileRole> roles) {
-  for (const FileRole role : roles)
-    for (const TargetFile& file : target.files)
-      if (file.role == role) return file.label;
-  return target.label;
-}
-
 // Plateau texels (2) in 8-connected groups of fewer than `least` become transition (1).
 void demote_small_groups(Image8& marks, const PixelBox& box, std::size_t least) {
   std::vector<std::array<int, 2>> group;
@@ -138,7 +131,7 @@ Needs needs_of(const CheckTarget& target, const Settings& settings) {
 
 CheckedFile checked_file_of(const CheckTarget& target) {
   CheckedFile file;
-  file.path = !target.label.empty() ? target.label : target.files.empty() ? "" : target.files.front().label;
+  file.path = target.own_label();
   for (const TargetFile& part : target.files) {
     if (part.label != file.path) file.companions.push_back(part.label);
     file.roles.emplace_back(part.label, name(part.role));
@@ -159,10 +152,14 @@ void look_at_pixels(const CheckTarget& target, const std::function<PictureRows(N
                     const Settings& settings, unsigned threads, Evidence& evidence, CheckedFile& file) {
   const Needs needs = needs_of(target, settings);
   PictureRows pictures = open(needs);
-  fill_evidence(evidence.a, pictures.a.get(),
-                label_with(target, {FileRole::diffuse_alpha, FileRole::base_color}), FileRole::diffuse_alpha);
+  const auto label_of = [&](std::initializer_list<FileRole> roles) {
+    const TargetFile* found = target.with_role(roles);
+    return found == nullptr ? target.label : found->label;
+  };
+  fill_evidence(evidence.a, pictures.a.get(), label_of({FileRole::diffuse_alpha, FileRole::base_color}),
+                FileRole::diffuse_alpha);
   fill_evidence(evidence.b, pictures.b.get(),
-                label_with(target, {FileRole::specular_gloss, FileRole::f0_only, FileRole::base_color}),
+                label_of({FileRole::specular_gloss, FileRole::f0_only, FileRole::base_color}),
                 FileRole::specular_gloss);
   evidence.metal_rough = evidence.metal_rough || pictures.metallic != nullptr;
   const RowSource* any = pictures.b ? pictures.b.get() : pictures.a.get();
@@ -265,10 +262,8 @@ void judge(const CheckTarget& target, const Evidence& evidence, const Settings& 
     try {
       rule->check(check);
     } catch (const std::exception& e) {
-      Finding failure = finding_of(*find_rule("ETK901"), Severity::error);
-      failure.file = file.path;
-      failure.message = "rule " + std::string(rule->id) + " failed: " + e.what();
-      findings.push_back(std::move(failure));
+      findings.push_back(finding_of(*find_rule("ETK901"), Severity::error, file.path,
+                                    "rule " + std::string(rule->id) + " failed: " + e.what()));
       file.unreadable = true;
     }
   }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "core/judge/finding.h"
@@ -77,23 +79,47 @@ struct RuleParameter {
   std::string_view meaning;
 };
 
+/// The parameters of a rule, at most `most`.
+class RuleParameters {
+ public:
+  static constexpr std::size_t most = 4;
+
+  constexpr RuleParameters() = default;
+  constexpr RuleParameters(std::initializer_list<RuleParameter> rows) : size_(rows.size()) {
+    std::copy(rows.begin(), rows.end(), rows_.begin());
+  }
+  constexpr bool empty() const { return size_ == 0; }
+  constexpr const RuleParameter* begin() const { return rows_.data(); }
+  constexpr const RuleParameter* end() const { return rows_.data() + size_; }
+
+ private:
+  std::array<RuleParameter, most> rows_{};
+  std::size_t size_ = 0;
+};
+
+/// The severity of a rule by the default profile, and by the profile strict where that differs.
+struct RuleSeverity {
+  Severity standard, strict;
+  constexpr RuleSeverity(Severity both) : standard(both), strict(both) {}
+  constexpr RuleSeverity(Severity of_default, Severity of_strict) : standard(of_default), strict(of_strict) {}
+};
+
 /// A row of the rule table: all that help, documentation, SARIF and editors show of a rule. Each rule stands
 /// in a file of its own, core/judge/rules/etk###_slug.cpp; rules/rules.inc lists them.
 struct Rule {
-  std::string_view id;       // "ETK101"
-  std::string_view slug;     // "f0-forbidden-zone"
-  std::string_view title;    // "F0 lies where no common material is"
-  Severity severity;         // of the default profile
-  Severity strict_severity;  // of the profile strict
-  Needs needs;
-  std::span<const RuleParameter> parameters;
+  std::string_view id;     // "ETK101"
+  std::string_view slug;   // "f0-forbidden-zone"
+  std::string_view title;  // "F0 lies where no common material is"
+  RuleSeverity severity;
+  Needs needs = {};
+  RuleParameters parameters = {};
   std::string_view source;                // article, tool or measurement that the rule rests on
   std::string_view what;                  // what is reported, with its condition
   std::string_view why;                   // why it is a mistake
   std::string_view example;               // how the mistake comes about, in words
   std::string_view fix;                   // what to do
-  void (*check)(RuleCheck&) = nullptr;    // null: a rule of the tool itself (9xx)
   std::optional<RegionKind> region = {};  // what a mask picture of its findings shows
+  void (*check)(RuleCheck&) = nullptr;    // null: a rule of the tool itself (9xx)
 
   /// "Input", "Specular / F0", ... by the id's hundreds.
   std::string_view family() const;

@@ -3,33 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/number.h"
 
 namespace etak {
-
-namespace {
-
-// Label of the file that stands for a role: in some sets a picture of another role holds its texels.
-std::string label_of(const CheckTarget& target, FileRole role) {
-  const auto with = [&](std::initializer_list<FileRole> wanted) -> const std::string* {
-    for (const FileRole w : wanted)
-      for (const TargetFile& file : target.files)
-        if (file.role == w) return &file.label;
-    return nullptr;
-  };
-  const std::string* label = nullptr;
-  if (role == FileRole::diffuse_alpha || role == FileRole::base_color)
-    label = with({FileRole::diffuse_alpha, FileRole::base_color});
-  else if (role == FileRole::specular_gloss || role == FileRole::f0_only)
-    label = with({FileRole::specular_gloss, FileRole::f0_only, FileRole::base_color});
-  else
-    label = with({role, FileRole::metallic});
-  if (label != nullptr) return *label;
-  return !target.label.empty() ? target.label : target.files.empty() ? "" : target.files.front().label;
-}
-
-}  // namespace
 
 std::string in_thousands(std::size_t number) {
   std::string digits = std::to_string(number);
@@ -47,8 +25,10 @@ std::string area_text(std::size_t area, std::size_t of) {
          percent(of == 0 ? 0 : static_cast<double>(area) / static_cast<double>(of)) + ")";
 }
 
-Finding finding_of(const Rule& rule, Severity severity) {
+Finding finding_of(const Rule& rule, Severity severity, std::string file, std::string message) {
   Finding finding;
+  finding.file = std::move(file);
+  finding.message = std::move(message);
   finding.rule = rule.id;
   finding.slug = rule.slug;
   finding.severity = severity;
@@ -82,12 +62,29 @@ Severity RuleCheck::at_most(Severity severity) const {
   return fixed_severity_ ? severity_ : std::min(severity, severity_);
 }
 
+std::span<const SpectralRows> RuleCheck::datasets() const {
+  return evidence.material ? std::span<const SpectralRows>(evidence.material->datasets)
+                           : std::span<const SpectralRows>();
+}
+
+std::vector<TilePlateaus> RuleCheck::regions(RegionKind kind) const {
+  std::vector<TilePlateaus> out;
+  for (const TileEvidence& tile : evidence.tiles)
+    if (const PlateauSummary* found = tile.region(kind); found != nullptr && found->regions != 0)
+      out.push_back({tile, *found});
+  return out;
+}
+
 Finding& RuleCheck::report() {
   Finding& finding = findings_.emplace_back(finding_of(rule_, severity_));
-  finding.file = !target.label.empty()  ? target.label
-                 : target.files.empty() ? ""
-                                        : target.files.front().label;
+  finding.file = target.own_label();
   finding.material = target.manifest.material;
+  return finding;
+}
+
+Finding& RuleCheck::report(const SpectralRows& rows) {
+  Finding& finding = report();
+  finding.pointer = rows.pointer;
   return finding;
 }
 
@@ -105,7 +102,7 @@ Finding& RuleCheck::report(const MapEvidence& map) {
 
 Finding& RuleCheck::report(const TileEvidence& tile, FileRole role) {
   Finding& finding = report();
-  finding.file = label_of(target, role);
+  finding.file = file_of(role);
   if (!tile.whole) {
     finding.tile = tile.tile.name;
     finding.box = tile.tile.box;
@@ -114,9 +111,22 @@ Finding& RuleCheck::report(const TileEvidence& tile, FileRole role) {
   return finding;
 }
 
+Finding& RuleCheck::report(const TileEvidence& tile, const PlateauSummary& plateaus) {
+  return report(tile, plateaus, plateaus.largest.front());
+}
+
+Finding& RuleCheck::report(const TileEvidence& tile, const PlateauSummary& plateaus, const Plateau& shown) {
+  return report(tile, plateaus, shown, FileRole::specular_gloss);
+}
+
+Finding& RuleCheck::report_diffuse(const TileEvidence& tile, const PlateauSummary& plateaus) {
+  return report(tile, plateaus, plateaus.largest.front(), FileRole::diffuse_alpha);
+}
+
 Finding& RuleCheck::report(const TileEvidence& tile, const PlateauSummary& plateaus, const Plateau& shown,
-                           bool diffuse) {
-  Finding& finding = report(tile, diffuse ? FileRole::diffuse_alpha : FileRole::specular_gloss);
+                           FileRole role) {
+  const bool diffuse = role == FileRole::diffuse_alpha;
+  Finding& finding = report(tile, role);
   finding.box = plateaus.box;
   finding.area_px = plateaus.area;
   finding.area_share = static_cast<double>(plateaus.area) /
@@ -148,7 +158,13 @@ std::string RuleCheck::colour(const std::array<double, 3>& linear) const {
 }
 
 std::string RuleCheck::file_of(FileRole role) const {
-  return label_of(target, role);
+  const TargetFile* file =
+      role == FileRole::diffuse_alpha || role == FileRole::base_color
+          ? target.with_role({FileRole::diffuse_alpha, FileRole::base_color})
+      : role == FileRole::specular_gloss || role == FileRole::f0_only
+          ? target.with_role({FileRole::specular_gloss, FileRole::f0_only, FileRole::base_color})
+          : target.with_role({role, FileRole::metallic});
+  return file == nullptr ? target.own_label() : file->label;
 }
 
 bool RuleCheck::has_gloss() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,12 @@
 #include "core/judge/settings.h"
 
 namespace etak {
+
+/// A tile and its plateaus of one kind, at least one.
+struct TilePlateaus {
+  const TileEvidence& tile;
+  const PlateauSummary& plateaus;
+};
 
 /// The argument of a rule's check: the evidence, the settings, and functions that report findings.
 class RuleCheck {
@@ -34,24 +41,32 @@ class RuleCheck {
   Severity at_least(Severity severity) const;
   Severity at_most(Severity severity) const;
 
-  /// Adds a finding with the rule's facts filled in, about the whole target, a picture, a map or a tile. The
-  /// reference holds until the next finding is added.
+  /// The datasets of a material file or spectrum; none for other targets.
+  std::span<const SpectralRows> datasets() const;
+
+  /// The tiles with plateaus of this kind.
+  std::vector<TilePlateaus> regions(RegionKind kind) const;
+
+  /// Adds a finding with the rule's facts filled in, about the whole target, a dataset, a picture, a map or a
+  /// tile. The reference holds until the next finding is added.
   Finding& report();
+  Finding& report(const SpectralRows& rows);
   Finding& report(const PictureEvidence& picture);
   Finding& report(const MapEvidence& map);
   Finding& report(const TileEvidence& tile, FileRole role);
 
-  /// Adds a finding about plateaus, with the box around all of them, their whole area, and the colour of one.
-  ///   shown     the plateau whose colour is reported
-  ///   diffuse   true: the colour of the diffuse texture; false: F0
-  Finding& report(const TileEvidence& tile, const PlateauSummary& plateaus, const Plateau& shown,
-                  bool diffuse);
+  /// Adds a finding about plateaus, with the box around all of them, their whole area, and the F0 of the one
+  /// that is shown, or the largest; report_diffuse() gives the colour of the diffuse texture.
+  Finding& report(const TileEvidence& tile, const PlateauSummary& plateaus);
+  Finding& report(const TileEvidence& tile, const PlateauSummary& plateaus, const Plateau& shown);
+  Finding& report_diffuse(const TileEvidence& tile, const PlateauSummary& plateaus);
 
   /// "0.041 (byte 56, grey)" or "1.00 0.77 0.34 (bytes 255 227 157)".
   std::string colour(const std::array<double, 3>& linear) const;
   std::array<int, 3> bytes(const std::array<double, 3>& linear) const;
 
-  /// Label of the target's file with this role (or that stands for it); the target's own where there is none.
+  /// Label of the target's file with this role, or of the one whose picture holds its texels; the target's own
+  /// where there is none.
   std::string file_of(FileRole role) const;
 
   /// Whether gloss (alpha) comes from a channel of the pictures and is not filled in.
@@ -62,19 +77,14 @@ class RuleCheck {
   std::size_t least_area(const TileEvidence& tile) const;
 
  private:
+  Finding& report(const TileEvidence& tile, const PlateauSummary& plateaus, const Plateau& shown,
+                  FileRole role);
+
   const Rule& rule_;
   Severity severity_;
   bool fixed_severity_;
   std::vector<Finding>& findings_;
 };
-
-/// act(tile, plateaus) for every tile with plateaus of this kind.
-template <class Act>
-void for_each_region(RuleCheck& check, RegionKind kind, Act act) {
-  for (const TileEvidence& tile : check.evidence.tiles)
-    if (const PlateauSummary* found = tile.region(kind); found != nullptr && found->regions != 0)
-      act(tile, *found);
-}
 
 /// act(map) for every map of this role.
 template <class Act>

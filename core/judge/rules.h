@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,6 @@ std::vector<std::string_view> nearest_rules(std::string_view id, std::size_t cou
 
 /// A finding of `rule` with its id, slug, severity, source and fix filled in: for the rules of the tool
 /// itself (901-904) and for messages of readers.
-Finding finding_of(const Rule& rule, Severity severity);
+Finding finding_of(const Rule& rule, Severity severity, std::string file = {}, std::string message = {});
 
 }  // namespace etak

@@ -75,16 +75,16 @@ Severity severity_of(const Rule& rule, const Settings& settings) {
   const bool of_the_tool = is_of_the_tool(rule.id);
   switch (settings.profile) {
     case Profile::standard:
-      return rule.severity;
+      return rule.severity.standard;
     case Profile::strict:
-      return rule.strict_severity;
+      return rule.severity.strict;
     case Profile::film:
       // Renderers for film take pictures of any size and keep float reflectances above 1.
-      return rule.id == "ETK009" || rule.id == "ETK107" ? Severity::info : rule.strict_severity;
+      return rule.id == "ETK009" || rule.id == "ETK107" ? Severity::info : rule.severity.strict;
     case Profile::custom:
-      return of_the_tool ? rule.severity : Severity::off;
+      return of_the_tool ? rule.severity.standard : Severity::off;
   }
-  return rule.severity;
+  return rule.severity.standard;
 }
 
 double parameter_of(const Rule& rule, std::string_view parameter, const Settings& settings) {

@@ -75,6 +75,17 @@ bool is_picture(FileRole role) {
   return is_judged(role) || role > FileRole::spectrum;
 }
 
+std::string CheckTarget::own_label() const {
+  return !label.empty() ? label : files.empty() ? "" : files.front().label;
+}
+
+const TargetFile* CheckTarget::with_role(std::initializer_list<FileRole> wanted) const {
+  for (const FileRole role : wanted)
+    for (const TargetFile& file : files)
+      if (file.role == role) return &file;
+  return nullptr;
+}
+
 PictureRows PicturesInMemory::rows() const {
   const auto of = [](const Image8* image) { return image == nullptr ? nullptr : rows_of(*image); };
   return {of(a), of(b), of(metallic)};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -134,6 +135,11 @@ struct CheckTarget {
   // Files of other targets that the maps of this one are held against: base colour, roughness, gloss.
   std::vector<TargetFile> beside = {};
   friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
+
+  /// What findings about the whole target name: its label, else that of its first file.
+  std::string own_label() const;
+  /// The file with the first of these roles that some file has; null: none has one of them.
+  const TargetFile* with_role(std::initializer_list<FileRole> wanted) const;
 };
 
 /// The opened pictures of a target: null where there is none, or where no rule needs it.

@@ -19,7 +19,7 @@
 #include "core/pages/mask.h"
 #include "core/pages/validation_pictures.h"
 #include "core/scene/gltf.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/load.h"
 #include "core/validate/files/metal_rough.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/repairs/repair_files.h"

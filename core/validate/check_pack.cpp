@@ -8,10 +8,11 @@
 #include "core/findings/output/formats.h"
 #include "core/findings/report.h"
 #include "core/image/load.h"
-#include "core/validate/files/file_hints.h"
-#include "core/validate/files/files.h"
-#include "core/validate/files/find_targets.h"
+#include "core/validate/files/check.h"
+#include "core/validate/files/layout_targets.h"
 #include "core/validate/files/scene_on_pages.h"
+#include "core/validate/find/file_hints.h"
+#include "core/validate/find/find_targets.h"
 
 namespace etak {
 namespace {

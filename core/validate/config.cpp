@@ -53,8 +53,8 @@ void unknown_rule(std::string_view place, std::string_view id) {
 
 Severity severity_when_on(const Rule& rule, Profile profile) {
   if (profile == Profile::standard || profile == Profile::custom)
-    if (rule.severity != Severity::off) return rule.severity;
-  return rule.strict_severity != Severity::off ? rule.strict_severity : Severity::warning;
+    if (rule.severity.standard != Severity::off) return rule.severity.standard;
+  return rule.severity.strict != Severity::off ? rule.severity.strict : Severity::warning;
 }
 
 void apply_choice(const RuleChoice& choice, Settings& settings) {

@@ -14,12 +14,13 @@
 #include "core/base/parallel.h"
 #include "core/findings/report.h"
 #include "core/findings/shards/report_shard.h"
+#include "core/validate/files/check.h"
 #include "core/validate/files/checked_before.h"
 #include "core/validate/files/cut_targets.h"
-#include "core/validate/files/files.h"
-#include "core/validate/files/find_targets.h"
 #include "core/validate/files/project_check.h"
 #include "core/validate/files/result_cache.h"
+#include "core/validate/files/tiles.h"
+#include "core/validate/find/find_targets.h"
 
 namespace etak {
 namespace {

@@ -16,7 +16,8 @@
 #include "core/image/load.h"
 #include "core/judge/rules.h"
 #include "core/scene/gltf.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/check.h"
+#include "core/validate/files/load.h"
 #include "core/validate/files/metal_rough.h"
 #include "tests/core/judge/corpus.h"
 

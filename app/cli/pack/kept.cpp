@@ -10,7 +10,7 @@
 #include "core/exchange/data_folder.h"
 #include "core/judge/settings.h"
 #include "core/scene/gltf.h"
-#include "core/validate/files/file_hints.h"
+#include "core/validate/find/file_hints.h"
 
 namespace etak::cli {
 

@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t widest_line = 100;
 
 std::string profiles_of(const Rule& rule) {
-  return std::string(name(rule.severity)) + ", strict profile " + std::string(name(rule.strict_severity));
+  return std::string(name(rule.severity.standard)) + ", strict profile " +
+         std::string(name(rule.severity.strict));
 }
 
 std::string value_of(const RuleParameter& parameter) {
@@ -41,8 +42,8 @@ std::string explanation(const Rule& rule, std::size_t columns) {
   if (!rule.parameters.empty()) {
     append(out, "\n",
            lines("Parameters, in etak.toml: [rules] " + std::string(rule.id) + " = { " +
-                     std::string(rule.parameters.front().name) + " = " +
-                     number(rule.parameters.front().value, 9) + " }",
+                     std::string(rule.parameters.begin()->name) + " = " +
+                     number(rule.parameters.begin()->value, 9) + " }",
                  2));
     for (const RuleParameter& parameter : rule.parameters)
       append(out, lines(std::string(parameter.name) + " = " + value_of(parameter) + ": " +
@@ -60,7 +61,7 @@ std::string explanation_markdown(const Rule& rule) {
   append(out, rule.what, "\n\n**Why.** ", rule.why, "\n\n**Example.** ", rule.example, "\n\n**Fix.** ",
          rule.fix, '\n');
   for (const RuleParameter& parameter : rule.parameters)
-    append(out, &parameter == rule.parameters.data() ? "\n" : "", "- `", parameter.name,
+    append(out, &parameter == rule.parameters.begin() ? "\n" : "", "- `", parameter.name,
            "` = ", value_of(parameter), ": ", parameter.meaning, '\n');
   append(out, "\n**Source.** ", rule.source, '\n');
   return out;
@@ -73,8 +74,9 @@ std::string rules_table() {
   append(out, padded("id", 8), padded("slug", slug_width + 2), padded("default", 9), padded("strict", 9),
          "title\n");
   for (const Rule* rule : rules())
-    append(out, padded(rule->id, 8), padded(rule->slug, slug_width + 2), padded(name(rule->severity), 9),
-           padded(name(rule->strict_severity), 9), rule->title, '\n');
+    append(out, padded(rule->id, 8), padded(rule->slug, slug_width + 2),
+           padded(name(rule->severity.standard), 9), padded(name(rule->severity.strict), 9), rule->title,
+           '\n');
   return out;
 }
 
@@ -94,8 +96,8 @@ std::string rules_json(std::span<const Rule* const> rules) {
                                   {"slug", json(rule->slug)},
                                   {"title", json(rule->title)},
                                   {"family", json(rule->family())},
-                                  {"severity", json(name(rule->severity))},
-                                  {"strict", json(name(rule->strict_severity))},
+                                  {"severity", json(name(rule->severity.standard))},
+                                  {"strict", json(name(rule->severity.strict))},
                                   {"needsPixels", json(rule->needs.pixels() || rule->needs.has(Need::maps))},
                                   {"what", json(rule->what)},
                                   {"why", json(rule->why)},

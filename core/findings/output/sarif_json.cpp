@@ -43,8 +43,9 @@ Json rule_json(const Rule& rule) {
   markdown += "\n\n**Source.** " + std::string(rule.source);
   markdown += "\n\nMore: `etak explain " + std::string(rule.id) + "`";
   out["help"] = {{"text", text}, {"markdown", markdown}};
-  out["defaultConfiguration"] = {{"enabled", rule.severity != Severity::off},
-                                 {"level", rule.severity == Severity::off ? "none" : level(rule.severity)}};
+  out["defaultConfiguration"] = {
+      {"enabled", rule.severity.standard != Severity::off},
+      {"level", rule.severity.standard == Severity::off ? "none" : level(rule.severity.standard)}};
   out["properties"] = {{"tags", Json::array({rule.family()})}};
   return out;
 }

@@ -16,13 +16,12 @@
 //       specular.at(x, y)[3] = static_cast<unsigned char>(64 + 2 * y);
 //     }
 //   etak::CheckTarget target;
-//   target.files = {{etak::FileRole::specular_gloss, "", "stone_specular.png"}};
+//   target.files = {{etak::FileRole::f0_only, "", "stone_specular.png"}};
 //   etak::PicturesInMemory pictures;
 //   pictures.b = &specular;
 //   const etak::CheckedFile file = etak::check_pictures(target, pictures, {});
 //   for (const etak::Finding& finding : file.findings)
 //     std::printf("%s: %s\n", finding.rule.c_str(), finding.message.c_str());
-//   return file.findings.empty() || file.findings.front().rule != "ETK101";
 // }
 // ```
 //

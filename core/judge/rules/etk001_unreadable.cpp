@@ -20,28 +20,17 @@ void report_unreadable(RuleCheck& check, const Rule& rule) {
   }
 }
 
-namespace {
-
-void etk001(RuleCheck& check) {
-  report_unreadable(check, etk001_unreadable);
-}
-
-}  // namespace
-
 constinit const Rule etk001_unreadable{
-    "ETK001",
-    "unreadable",
-    "A file cannot be read",
-    Severity::error,
-    Severity::error,
-    {},
-    {},
-    "glTF-Validator, IO_ERROR and IMAGE_UNEXPECTED_EOS",
-    "A file is missing, empty, truncated, damaged, or in a format that etak does not read.",
-    "What cannot be read was not checked, and must not pass for clean: the run ends with "
-    "exit status 2.",
-    "A PNG cut short by a full disk; a texture named in a layout that was never exported.",
-    "Export the file again; compare its size with that of the source.",
-    &etk001};
+    .id = "ETK001",
+    .slug = "unreadable",
+    .title = "A file cannot be read",
+    .severity = Severity::error,
+    .source = "glTF-Validator, IO_ERROR and IMAGE_UNEXPECTED_EOS",
+    .what = "A file is missing, empty, truncated, damaged, or in a format that etak does not read.",
+    .why =
+        "What cannot be read was not checked, and must not pass for clean: the run ends with exit status 2.",
+    .example = "A PNG cut short by a full disk; a texture named in a layout that was never exported.",
+    .fix = "Export the file again; compare its size with that of the source.",
+    .check = [](RuleCheck& check) { report_unreadable(check, etk001_unreadable); }};
 
 }  // namespace etak

@@ -6,10 +6,6 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter etk101_parameters[] = {
-    {"match_bytes", 3, 3, "codes", "distance at which a plateau counts as a material of the library"},
-};
-
 // Whether a plateau is half metal, which ETK113 reports: ETK101 gives at most a warning for it.
 bool is_half_metal(const RuleCheck& check, const Plateau& plateau) {
   return check.evidence.metal_rough && plateau.metallic > half_metal_above && plateau.metallic < metal_from;
@@ -54,70 +50,70 @@ PlateauVerdict verdict_on(const RuleCheck& check, const TileEvidence& tile, cons
   return out;
 }
 
-void etk101(RuleCheck& check) {
-  const ZoneSettings& zone = check.settings.zone;
-  for_each_region(check, RegionKind::zone, [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
-    const Plateau* shown = nullptr;
-    PlateauVerdict worst{Severity::off};
-    for (const Plateau& plateau : plateaus.largest) {
-      const PlateauVerdict verdict = verdict_on(check, tile, plateau);
-      if (verdict.severity <= worst.severity) continue;
-      worst = verdict;
-      shown = &plateau;
-    }
-    Finding& finding = check.report(tile, plateaus, *shown, false);
-    finding.severity = worst.severity;
-    finding.limit = percent(zone.low) + " to " + percent(zone.high);
-    const Explanation why =
-        explain_f0(known_materials(check.settings), shown->specular, check.settings.transfer);
-    if (is_half_metal(check, *shown)) {
-      finding.cause = "metallic is " + number(shown->metallic, 2);
-      finding.message += "; " + finding.cause;
-    } else if (why.cause == Explanation::Cause::doubled && !check.evidence.metal_rough) {
-      finding.cause = "matches a dielectric of F0 " + number(why.original, 2) + " (" + why.material +
-                      ") sRGB-encoded twice, within " + number(why.distance, 2) + " codes";
-      // Beside ordinary dielectrics it may be a patch instead of a second conversion.
-      if (ordinary_share(tile) > 0.1)
-        finding.cause = "possible cause: " + finding.cause;
-      else
-        finding.message += "; " + finding.cause;
-    }
-    if (worst.softener != nullptr)
-      finding.message += "; no error, because it is within " + number(check.parameter("match_bytes"), 2) +
-                         " codes of " + worst.softener->id + ", which is common";
-  });
-}
-
 }  // namespace
 
 constinit const Rule etk101_f0_forbidden_zone{
-    "ETK101",
-    "f0-forbidden-zone",
-    "F0 lies where no common material is",
-    Severity::error,
-    Severity::error,
-    {Need::bytes_b, Need::regions},
-    etk101_parameters,
-    "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors "
-    "below 0.4564 invalid; thresholds of the region analysis measured on synthetic edges "
-    "(etak)",
-    "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 125 "
-    "to 177 for greys). A warning where the colour is within 3 codes of a common material of "
-    "the library that lies in the zone itself (silicon, graphite, hematite, titanium nitride), "
-    "information when the file names a material of the zone and the colour is its own, and a "
-    "warning where a metal-rough set is half metal (ETK113). Regions, not texels: what filtering makes of an "
-    "edge between metal "
-    "and dielectric is left to ETK102. The smallest region is 32 texels and 0.001 % of the "
-    "tile: a first limit of 0.01 % would have hidden a patch of 10 x 10 in a tile of 1024 x "
-    "1024. Codes are rounded: what lies within half a code of a limit (0.0028 at 0.45, 0.0018 at "
-    "0.20) counts as outside, such as Hoffman's 0.200, code 124, and indium antimonide, 0.4492.",
-    "Dielectrics reflect 2 to 5 %, gems up to 17 %, metals half or more. Between lie only "
-    "semiconductors and a few compounds.",
-    "Plastic of F0 0.04 encoded to sRGB twice reads as 0.22; a 50 % grey specular map reads "
-    "as 0.21.",
-    "Decide whether the surface is metal or not; re-export without a second sRGB conversion; "
-    "or name the material.",
-    &etk101,
-    RegionKind::zone};
+    .id = "ETK101",
+    .slug = "f0-forbidden-zone",
+    .title = "F0 lies where no common material is",
+    .severity = Severity::error,
+    .needs = {Need::bytes_b, Need::regions},
+    .parameters = {{"match_bytes", 3, 3, "codes",
+                    "distance at which a plateau counts as a material of the library"}},
+    .source =
+        "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors below 0.4564 "
+        "invalid; thresholds of the region analysis measured on synthetic edges (etak)",
+    .what =
+        "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 125 to 177 for "
+        "greys). A warning where the colour is within 3 codes of a common material of the library that lies "
+        "in the zone itself (silicon, graphite, hematite, titanium nitride), information when the file names "
+        "a material of the zone and the colour is its own, and a warning where a metal-rough set is half "
+        "metal (ETK113). Regions, not texels: what filtering makes of an edge between metal and dielectric "
+        "is left to ETK102. The smallest region is 32 texels and 0.001 % of the tile: a first limit of 0.01 "
+        "% would have hidden a patch of 10 x 10 in a tile of 1024 x 1024. Codes are rounded: what lies "
+        "within half a code of a limit (0.0028 at 0.45, 0.0018 at 0.20) counts as outside, such as Hoffman's "
+        "0.200, code 124, and indium antimonide, 0.4492.",
+    .why =
+        "Dielectrics reflect 2 to 5 %, gems up to 17 %, metals half or more. Between lie only semiconductors "
+        "and a few compounds.",
+    .example =
+        "Plastic of F0 0.04 encoded to sRGB twice reads as 0.22; a 50 % grey specular map reads as 0.21.",
+    .fix =
+        "Decide whether the surface is metal or not; re-export without a second sRGB conversion; or name the "
+        "material.",
+    .region = RegionKind::zone,
+    .check = [](RuleCheck& check) {
+      const ZoneSettings& zone = check.settings.zone;
+      for (const auto& [tile, plateaus] : check.regions(RegionKind::zone)) {
+        const Plateau* shown = nullptr;
+        PlateauVerdict worst{Severity::off};
+        for (const Plateau& plateau : plateaus.largest) {
+          const PlateauVerdict verdict = verdict_on(check, tile, plateau);
+          if (verdict.severity <= worst.severity) continue;
+          worst = verdict;
+          shown = &plateau;
+        }
+        Finding& finding = check.report(tile, plateaus, *shown);
+        finding.severity = worst.severity;
+        finding.limit = percent(zone.low) + " to " + percent(zone.high);
+        const Explanation why =
+            explain_f0(known_materials(check.settings), shown->specular, check.settings.transfer);
+        if (is_half_metal(check, *shown)) {
+          finding.cause = "metallic is " + number(shown->metallic, 2);
+          finding.message += "; " + finding.cause;
+        } else if (why.cause == Explanation::Cause::doubled && !check.evidence.metal_rough) {
+          finding.cause = "matches a dielectric of F0 " + number(why.original, 2) + " (" + why.material +
+                          ") sRGB-encoded twice, within " + number(why.distance, 2) + " codes";
+          // Beside ordinary dielectrics it may be a patch instead of a second conversion.
+          if (ordinary_share(tile) > 0.1)
+            finding.cause = "possible cause: " + finding.cause;
+          else
+            finding.message += "; " + finding.cause;
+        }
+        if (worst.softener != nullptr)
+          finding.message += "; no error, because it is within " + number(check.parameter("match_bytes"), 2) +
+                             " codes of " + worst.softener->id + ", which is common";
+      }
+    }};
 
 }  // namespace etak

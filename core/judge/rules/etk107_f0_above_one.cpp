@@ -51,46 +51,44 @@ void check_codes(RuleCheck& check, const TileEvidence& tile) {
                     ": clipped or mapped into the gamut";
 }
 
-void etk107(RuleCheck& check) {
-  if (const auto& b = check.evidence.b; b && b->floats && b->floats->above_one != 0) {
-    const FloatFacts& f = *b->floats;
-    const std::array<double, 3> value{static_cast<double>(f.above_value[0]),
-                                      static_cast<double>(f.above_value[1]),
-                                      static_cast<double>(f.above_value[2])};
-    const bool metal = f.above_luminance <= 1 && is_known_metal(known_materials(check.settings), value);
-    Finding& finding = check.report(*b);
-    finding.severity = metal ? check.severity() : check.at_least(Severity::error);
-    finding.box = PixelBox{f.above_at[0], f.above_at[1], 1, 1};
-    finding.area_px = f.above_one;
-    finding.linear = value;
-    finding.luminance = f.above_luminance;
-    finding.value = number(static_cast<double>(f.largest), 4);
-    finding.limit = "1";
-    finding.message = "F0 up to " + finding.value + " on " + in_thousands(f.above_one) + " px" +
-                      (metal ? ", as metals have outside of the sRGB gamut" : "");
-    return;
-  }
-  for (const TileEvidence& tile : check.evidence.tiles) check_codes(check, tile);
-}
-
 }  // namespace
 
 constinit const Rule etk107_f0_above_one{
-    "ETK107",
-    "f0-above-one",
-    "F0 above 1, or cut off there",
-    Severity::info,
-    Severity::warning,
-    {Need::bytes_b, Need::floats},
-    {},
-    "Hoffman prints gold with red 1.022; glTF refuses F0 above 1",
-    "Float: a channel above 1; information while the luminance is not above 1 and a metal of "
-    "the library matches, else an error. 8 bits: a channel (or two) at code 255 on bright "
-    "coloured F0, which was clipped or mapped into the gamut by somebody.",
-    "Gold's red lies outside of linear sRGB, so 1.02 to 1.06 is right there. Anything else "
-    "above 1 creates energy.",
-    "Specular multiplied by an exposure; gold exported to 8 bits, red clipped.",
-    "Bring F0 to at most 1; for gold and copper say which gamut mapping was used.",
-    &etk107};
+    .id = "ETK107",
+    .slug = "f0-above-one",
+    .title = "F0 above 1, or cut off there",
+    .severity = {Severity::info, Severity::warning},
+    .needs = {Need::bytes_b, Need::floats},
+    .source = "Hoffman prints gold with red 1.022; glTF refuses F0 above 1",
+    .what =
+        "Float: a channel above 1; information while the luminance is not above 1 and a metal of the library "
+        "matches, else an error. 8 bits: a channel (or two) at code 255 on bright coloured F0, which was "
+        "clipped or mapped into the gamut by somebody.",
+    .why =
+        "Gold's red lies outside of linear sRGB, so 1.02 to 1.06 is right there. Anything else above 1 "
+        "creates energy.",
+    .example = "Specular multiplied by an exposure; gold exported to 8 bits, red clipped.",
+    .fix = "Bring F0 to at most 1; for gold and copper say which gamut mapping was used.",
+    .check = [](RuleCheck& check) {
+      if (const auto& b = check.evidence.b; b && b->floats && b->floats->above_one != 0) {
+        const FloatFacts& f = *b->floats;
+        const std::array<double, 3> value{static_cast<double>(f.above_value[0]),
+                                          static_cast<double>(f.above_value[1]),
+                                          static_cast<double>(f.above_value[2])};
+        const bool metal = f.above_luminance <= 1 && is_known_metal(known_materials(check.settings), value);
+        Finding& finding = check.report(*b);
+        finding.severity = metal ? check.severity() : check.at_least(Severity::error);
+        finding.box = PixelBox{f.above_at[0], f.above_at[1], 1, 1};
+        finding.area_px = f.above_one;
+        finding.linear = value;
+        finding.luminance = f.above_luminance;
+        finding.value = number(static_cast<double>(f.largest), 4);
+        finding.limit = "1";
+        finding.message = "F0 up to " + finding.value + " on " + in_thousands(f.above_one) + " px" +
+                          (metal ? ", as metals have outside of the sRGB gamut" : "");
+        return;
+      }
+      for (const TileEvidence& tile : check.evidence.tiles) check_codes(check, tile);
+    }};
 
 }  // namespace etak

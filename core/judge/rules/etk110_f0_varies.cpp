@@ -13,11 +13,6 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter etk110_parameters[] = {
-    {"deviation", 3, 3, "codes", "largest standard deviation of a channel"},
-    {"share", 5, 5, "%", "of an unnamed tile from which on a second value is told"},
-};
-
 // Tells of a tile that nobody has named and whose dielectrics have two values of F0.
 void tell_two_values(RuleCheck& check, const TileEvidence& tile) {
   const Histogram& green = tile.detail.b[1];
@@ -51,57 +46,54 @@ void tell_two_values(RuleCheck& check, const TileEvidence& tile) {
                     ", and no name or mask tells the materials apart";
 }
 
-void etk110(RuleCheck& check) {
-  std::map<std::string, std::vector<const TileEvidence*>> materials;
-  for (const TileEvidence& tile : check.evidence.tiles)
-    if (!tile.tile.material.empty()) {
-      if (tile.detail.every_row) materials[tile.tile.material].push_back(&tile);
-    } else if (tile.detail.opaque > 0 && !check.evidence.metal_rough) {
-      tell_two_values(check, tile);
-    }
-  for (const auto& [material, tiles] : materials) {
-    double most = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      double count = 0, sum = 0, squares = 0;
-      for (const TileEvidence* tile : tiles)
-        for (std::size_t code = 0; code < 256; ++code) {
-          const double texels = tile->detail.b[c][code], value = static_cast<double>(code);
-          count += texels;
-          sum += texels * value;
-          squares += texels * value * value;
-        }
-      if (count > 0)
-        most = std::max(most, std::sqrt(std::max(0.0, squares / count - sum / count * sum / count)));
-    }
-    if (most <= check.parameter("deviation")) continue;
-    Finding& finding = check.report(*tiles.front(), FileRole::specular_gloss);
-    finding.value = "standard deviation " + number(most, 2) + " codes";
-    finding.limit = number(check.parameter("deviation"), 3) + " codes";
-    finding.message = "F0 of \"" + material + "\" varies: " + finding.value;
-    if (tiles.size() > 1) finding.message += " over " + std::to_string(tiles.size()) + " tiles";
-  }
-}
-
 }  // namespace
 
 constinit const Rule etk110_f0_varies{
-    "ETK110",
-    "f0-varies",
-    "F0 varies inside one material",
-    Severity::warning,
-    Severity::error,
-    {Need::bytes_b},
-    etk110_parameters,
-    "Schueler 2009: one F0 per material, the variety belongs into gloss",
-    "Where tiles are named: inside one material the standard deviation of some channel of F0 "
-    "exceeds 3 codes. Where nothing names the materials of a tile it is information: what is no metal has "
-    "two values "
-    "of F0, each on 5 % of the texels or more and further than 6 codes from the other. Name the materials "
-    "(--material, "
-    "tiles of a manifest) to have each judged by itself.",
-    "F0 follows from the index of refraction, which does not change with scratches or dirt.",
-    "Noise or a photo overlaid on the specular map.",
-    "Use one F0 for the material and put the variation into gloss.",
-    &etk110};
+    .id = "ETK110",
+    .slug = "f0-varies",
+    .title = "F0 varies inside one material",
+    .severity = {Severity::warning, Severity::error},
+    .needs = {Need::bytes_b},
+    .parameters = {{"deviation", 3, 3, "codes", "largest standard deviation of a channel"},
+                   {"share", 5, 5, "%", "of an unnamed tile from which on a second value is told"}},
+    .source = "Schueler 2009: one F0 per material, the variety belongs into gloss",
+    .what =
+        "Where tiles are named: inside one material the standard deviation of some channel of F0 exceeds 3 "
+        "codes. Where nothing names the materials of a tile it is information: what is no metal has two "
+        "values of F0, each on 5 % of the texels or more and further than 6 codes from the other. Name the "
+        "materials (--material, tiles of a manifest) to have each judged by itself.",
+    .why = "F0 follows from the index of refraction, which does not change with scratches or dirt.",
+    .example = "Noise or a photo overlaid on the specular map.",
+    .fix = "Use one F0 for the material and put the variation into gloss.",
+    .check = [](RuleCheck& check) {
+      std::map<std::string, std::vector<const TileEvidence*>> materials;
+      for (const TileEvidence& tile : check.evidence.tiles)
+        if (!tile.tile.material.empty()) {
+          if (tile.detail.every_row) materials[tile.tile.material].push_back(&tile);
+        } else if (tile.detail.opaque > 0 && !check.evidence.metal_rough) {
+          tell_two_values(check, tile);
+        }
+      for (const auto& [material, tiles] : materials) {
+        double most = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+          double count = 0, sum = 0, squares = 0;
+          for (const TileEvidence* tile : tiles)
+            for (std::size_t code = 0; code < 256; ++code) {
+              const double texels = tile->detail.b[c][code], value = static_cast<double>(code);
+              count += texels;
+              sum += texels * value;
+              squares += texels * value * value;
+            }
+          if (count > 0)
+            most = std::max(most, std::sqrt(std::max(0.0, squares / count - sum / count * sum / count)));
+        }
+        if (most <= check.parameter("deviation")) continue;
+        Finding& finding = check.report(*tiles.front(), FileRole::specular_gloss);
+        finding.value = "standard deviation " + number(most, 2) + " codes";
+        finding.limit = number(check.parameter("deviation"), 3) + " codes";
+        finding.message = "F0 of \"" + material + "\" varies: " + finding.value;
+        if (tiles.size() > 1) finding.message += " over " + std::to_string(tiles.size()) + " tiles";
+      }
+    }};
 
 }  // namespace etak

@@ -3,33 +3,25 @@
 
 namespace etak {
 
-namespace {
-
-void etk204(RuleCheck& check) {
-  for_each_region(check, RegionKind::albedo_single,
-                  [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
-                    Finding& finding = check.report(tile, plateaus, plateaus.largest.front(), true);
-                    finding.limit = "no channel at 0";
-                  });
-}
-
-}  // namespace
-
 constinit const Rule etk204_albedo_single_channel{
-    "ETK204",
-    "albedo-single-channel",
-    "Albedo without one of the three colours",
-    Severity::info,
-    Severity::warning,
-    {Need::bytes_a, Need::regions},
-    {},
-    "etak",
-    "A plateau with one diffuse channel above 0.2 and another exactly 0.",
-    "No pigment absorbs a third of the spectrum completely. Saturated paint comes close "
-    "(blood, anodised aluminium), so it is information only.",
-    "Pure red, 255 0 0, from a colour picker.",
-    "Lift the lowest channel a little.",
-    &etk204,
-    RegionKind::albedo_single};
+    .id = "ETK204",
+    .slug = "albedo-single-channel",
+    .title = "Albedo without one of the three colours",
+    .severity = {Severity::info, Severity::warning},
+    .needs = {Need::bytes_a, Need::regions},
+    .source = "etak",
+    .what = "A plateau with one diffuse channel above 0.2 and another exactly 0.",
+    .why =
+        "No pigment absorbs a third of the spectrum completely. Saturated paint comes close (blood, anodised "
+        "aluminium), so it is information only.",
+    .example = "Pure red, 255 0 0, from a colour picker.",
+    .fix = "Lift the lowest channel a little.",
+    .region = RegionKind::albedo_single,
+    .check = [](RuleCheck& check) {
+      for (const auto& [tile, plateaus] : check.regions(RegionKind::albedo_single)) {
+        Finding& finding = check.report_diffuse(tile, plateaus);
+        finding.limit = "no channel at 0";
+      }
+    }};
 
 }  // namespace etak

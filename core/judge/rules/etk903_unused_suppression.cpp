@@ -4,18 +4,15 @@
 namespace etak {
 
 constinit const Rule etk903_unused_suppression{
-    "ETK903",
-    "unused-suppression",
-    "An allow entry matches nothing",
-    Severity::warning,
-    Severity::error,
-    {},
-    {},
-    "etak",
-    "An [[allow]] entry of the configuration suppressed no finding, or has expired.",
-    "Entries that outlive their reason hide the next mistake.",
-    "The file was renamed, or the defect repaired.",
-    "Remove the entry, or correct its pattern.",
-    nullptr};
+    .id = "ETK903",
+    .slug = "unused-suppression",
+    .title = "An allow entry matches nothing",
+    .severity = {Severity::warning, Severity::error},
+    .source = "etak",
+    .what = "An [[allow]] entry of the configuration suppressed no finding, or has expired.",
+    .why = "Entries that outlive their reason hide the next mistake.",
+    .example = "The file was renamed, or the defect repaired.",
+    .fix = "Remove the entry, or correct its pattern.",
+};
 
 }  // namespace etak

@@ -9,7 +9,7 @@
 
 #include "core/base/system.h"
 #include "core/judge/finding.h"
-#include "core/validate/files/find_targets.h"
+#include "core/validate/find/find_targets.h"
 
 namespace etak {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/shards/shards.h"
-#include "core/validate/files/find_targets.h"
+#include "core/validate/find/find_targets.h"
 
 namespace etak {
 

@@ -14,7 +14,7 @@
 #include "core/image/channels.h"
 #include "core/image/image.h"
 #include "core/judge/pixels/flat_rows.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/layout_targets.h"
 
 namespace etak {
 

@@ -9,6 +9,7 @@
 #include "core/judge/engine.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/files/scene_use.h"
+#include "core/validate/files/tiles.h"
 
 namespace etak {
 

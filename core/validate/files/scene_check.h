@@ -10,7 +10,7 @@
 
 #include "core/judge/pixels/evidence.h"
 #include "core/scene/material_uses.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/load.h"
 #include "core/validate/files/metal_rough.h"
 
 namespace etak {

@@ -13,7 +13,9 @@
 #include "core/judge/engine.h"
 #include "core/judge/rules.h"
 #include "core/scene/gltf_convert.h"
+#include "core/validate/files/check.h"
 #include "core/validate/files/scene_use.h"
+#include "core/validate/files/tiles.h"
 
 namespace etak {
 

@@ -9,7 +9,7 @@
 #include "core/judge/pixels/evidence.h"
 #include "core/scene/material_uses.h"
 #include "core/scene/uv_use.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/load.h"
 
 namespace etak {
 

@@ -19,7 +19,7 @@
 #include "core/judge/rule.h"
 #include "core/judge/settings.h"
 #include "core/judge/target.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/load.h"
 
 namespace etak {
 

@@ -16,6 +16,7 @@
 #include "core/image/files/png_keep.h"
 #include "core/image/load.h"
 #include "core/judge/rules.h"
+#include "core/validate/files/check.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/repairs/repair.h"
 

@@ -307,10 +307,10 @@ Scores score_mutations(const std::vector<TextureSet>& sets,
       const Mutation& mutation = all[number];
       const Rule& rule = *find_rule(mutation.rule);
       Settings settings;
-      if (rule.severity == Severity::off)
-        settings.rules[std::string(rule.id)].severity = rule.strict_severity;
+      if (rule.severity.standard == Severity::off)
+        settings.rules[std::string(rule.id)].severity = rule.severity.strict;
       const Severity least =
-          mutation.least.value_or(std::clamp(rule.severity, Severity::info, Severity::warning));
+          mutation.least.value_or(std::clamp(rule.severity.standard, Severity::info, Severity::warning));
       const auto found_in = [&](const CheckedFile& file) { return found(file, mutation.rule, least); };
       const bool small = clean.b.width < mutation.least_size;
       if ((small && !larger) || (mutation.applies && !mutation.applies(clean)) ||

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace etak {
 
 // What paths and first lines tell of the files that a search finds.
 
-/// Why there is no file at `path`, for messages.
+/// Why there is no file at `path`, for messages, and what helps there.
 std::string why_missing(const std::string& path);
+const char* missing_fix(std::string_view path);
 
 /// The part of a file name that a pattern leaves open: "crate" of "crate_spec.png" for "*_spec.*"; for
 /// patterns of other forms the name without its format.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/files/picture_sets.h"
+#include "core/validate/find/picture_sets.h"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/files/file_hints.h"
+#include "core/validate/find/file_hints.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,6 +20,13 @@ std::string why_missing(const std::string& path) {
     return "cannot be read: " + failure.message();
   if (fs::is_symlink(fs::symlink_status(path, failure))) return "a link that leads to no file";
   return "there is no such file";
+}
+
+const char* missing_fix(std::string_view path) {
+  // Without -z git writes a name beyond ASCII in quotes.
+  return path.starts_with('"') && path.ends_with('"')
+             ? "Give the name without quotes; git writes it so with -z."
+             : "Correct the path, or write the file first.";
 }
 
 std::string pattern_stem(const std::string& pattern, const std::string& name) {

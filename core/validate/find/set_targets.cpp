@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/files/set_targets.h"
+#include "core/validate/find/set_targets.h"
 
 #include <cstddef>
 #include <unordered_map>
@@ -41,11 +41,10 @@ CheckedFile lone_set(const CheckTarget& target, const std::string& missing, cons
   const Rule& rule = *find_rule("ETK002");
   CheckedFile file = checked_file_of(target);
   if (const Severity severity = severity_of(rule, settings); severity != Severity::off) {
-    Finding& finding = file.findings.emplace_back(finding_of(rule, severity));
-    finding.file = file.path;
+    Finding& finding = file.findings.emplace_back(
+        finding_of(rule, severity, file.path, missing + ": nothing of it was judged"));
     finding.value = missing;
     finding.limit = "the whole set";
-    finding.message = missing + ": nothing of it was judged";
     finding.fix =
         "Add the missing picture under the name of its set, or say in [names] of etak.toml what "
         "the endings of the names mean; etak validate --list-files shows what was understood.";

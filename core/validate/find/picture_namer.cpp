@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/files/picture_namer.h"
+#include "core/validate/find/picture_namer.h"
 
 #include <utility>
 
 #include "core/base/files/input.h"
 #include "core/base/text/ascii.h"
 #include "core/findings/suppress.h"
-#include "core/validate/files/file_hints.h"
+#include "core/validate/find/file_hints.h"
 
 namespace etak {
 

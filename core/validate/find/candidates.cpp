@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/files/candidates.h"
+#include "core/validate/find/candidates.h"
 
 #include <filesystem>
 #include <variant>
@@ -11,8 +11,8 @@
 #include "core/base/parallel.h"
 #include "core/base/system.h"
 #include "core/exchange/content_kind.h"
-#include "core/validate/files/file_hints.h"
-#include "core/validate/files/files.h"
+#include "core/validate/find/file_hints.h"
+#include "core/validate/find/kind.h"
 
 namespace etak {
 

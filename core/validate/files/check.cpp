@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/files/files.h"
+#include "core/validate/files/check.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
-#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/files/input.h"
-#include "core/base/system.h"
-#include "core/base/text/ascii.h"
-#include "core/exchange/content_kind.h"
-#include "core/exchange/material_file.h"
-#include "core/image/load.h"
-#include "core/image/picture_bytes.h"
-#include "core/image/picture_endings.h"
 #include "core/judge/engine.h"
 #include "core/judge/pixels/flat_rows.h"
 #include "core/judge/rules.h"
@@ -31,15 +20,9 @@ namespace etak {
 
 namespace {
 
-const TargetFile* with_role(const CheckTarget& target, std::initializer_list<FileRole> roles) {
-  for (const TargetFile& file : target.files)
-    if (std::ranges::find(roles, file.role) != roles.end()) return &file;
-  return nullptr;
-}
-
 std::unique_ptr<RowSource> open_role(const CheckTarget& target, const PictureOpener& opener,
                                      std::initializer_list<FileRole> roles) {
-  const TargetFile* file = with_role(target, roles);
+  const TargetFile* file = target.with_role(roles);
   return file == nullptr ? nullptr : opener(*file);
 }
 
@@ -122,7 +105,7 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
     map.packed = true;
   }
   // There is an alpha channel where the file of the base colour has one.
-  if (const TargetFile* base = with_role(target, {FileRole::base_color, FileRole::diffuse_alpha});
+  if (const TargetFile* base = target.with_role({FileRole::base_color, FileRole::diffuse_alpha});
       base != nullptr && evidence.a)
     for (const PictureEvidence& header : evidence.headers)
       if (header.label == base->label) evidence.a->header.channels = header.header.channels;
@@ -149,35 +132,17 @@ void check_scene(const TargetFile& of_scene, const CheckTarget& target, const Pi
   check.judge_headers(target.manifest, settings, file);
 }
 
+void add_failure(CheckedFile& file, std::string_view rule, Severity severity, const std::string& message) {
+  file.findings.push_back(finding_of(*find_rule(rule), severity, file.path, message));
+  file.unreadable = true;
+}
+
 std::string relabelled(std::string message, const CheckTarget& target) {
   // Readers name the path they were given; reports name the label.
   for (const TargetFile& file : target.files)
     if (!file.path.empty() && file.path != file.label && message.starts_with(file.path))
       return file.label + message.substr(file.path.size());
   return message;
-}
-
-}  // namespace
-
-void add_sums(const CheckedFile& one, CheckedFile& file) {
-  file.unreadable = file.unreadable || one.unreadable;
-  file.plateau_px += one.plateau_px;
-  file.transition_px += one.transition_px;
-  file.stats.texels += one.stats.texels;
-  file.stats.passes += one.stats.passes;
-  file.stats.byte_seconds += one.stats.byte_seconds;
-  file.stats.region_seconds += one.stats.region_seconds;
-  for (const auto& [what, count] : one.counts) {
-    const auto same = std::ranges::find(file.counts, what, &std::pair<std::string, std::int64_t>::first);
-    if (same == file.counts.end())
-      file.counts.emplace_back(what, count);
-    else if (what == "gloss_min")
-      same->second = std::min(same->second, count);
-    else if (what == "gloss_max")
-      same->second = std::max(same->second, count);
-    else
-      same->second += count;
-  }
 }
 
 void check_map_set(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
@@ -199,11 +164,7 @@ void check_material(const TargetFile& part, Evidence& evidence) {
                                                       : evidence_of_spectrum(text, part.path, part.label);
 }
 
-void sort_findings(CheckedFile& file) {
-  std::stable_sort(file.findings.begin(), file.findings.end(), [](const Finding& a, const Finding& b) {
-    return std::tie(a.rule, a.tile, a.pointer) < std::tie(b.rule, b.tile, b.pointer);
-  });
-}
+}  // namespace
 
 CheckedFile check_by(const CheckTarget& target, const Settings& settings, const EvidenceGatherer& look) {
   const Settings own = settings_for(target, settings);
@@ -216,17 +177,9 @@ CheckedFile check_by(const CheckTarget& target, const Settings& settings, const 
     evidence.tiles.clear();
     file.unreadable = true;
   } catch (const std::bad_alloc&) {
-    Finding finding = finding_of(*find_rule("ETK902"), Severity::warning);
-    finding.file = file.path;
-    finding.message = "not enough memory to check the file";
-    file.findings.push_back(std::move(finding));
-    file.unreadable = true;
+    add_failure(file, "ETK902", Severity::warning, "not enough memory to check the file");
   } catch (const std::exception& error) {
-    Finding finding = finding_of(*find_rule("ETK901"), Severity::error);
-    finding.file = file.path;
-    finding.message = std::string("reading failed: ") + error.what();
-    file.findings.push_back(std::move(finding));
-    file.unreadable = true;
+    add_failure(file, "ETK901", Severity::error, std::string("reading failed: ") + error.what());
   }
   judge(target, evidence, own, file);
   if (target.files.empty())  // the constants of a layout have no place in a picture
@@ -239,9 +192,9 @@ CheckedFile check_by(const CheckTarget& target, const Settings& settings, const 
 CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                   unsigned threads) {
   return check_by(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
-    if (const TargetFile* scene = with_role(target, {FileRole::scene}))
+    if (const TargetFile* scene = target.with_role({FileRole::scene}))
       return check_scene(*scene, target, door, own, threads, file);
-    if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
+    if (const TargetFile* material = target.with_role({FileRole::material, FileRole::spectrum}))
       return check_material(*material, evidence);
     if (is_map_set(target)) return check_map_set(target, door, own, evidence, file);
     if (MetalRoughSet::is_set(target)) return check_metal_rough(target, door, own, threads, evidence, file);
@@ -255,104 +208,6 @@ CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, c
   return check_by(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
     check_pair(target, open, own, threads, evidence, file);
   });
-}
-
-CheckedFile joined_tiles(std::vector<CheckedFile> tiles) {
-  CheckedFile set;
-  set.width = tiles.front().width;
-  set.height = tiles.front().height;
-  set.target = tiles.front().target;
-  set.path = set.target->udim;
-  set.is_set = true;
-  set.place = tiles.front().place;
-  for (CheckedFile& one : tiles) {
-    for (Finding& finding : one.findings) {
-      if (finding.tile.empty()) finding.tile = one.target->tile;
-      set.findings.push_back(std::move(finding));
-    }
-    set.companions.push_back(one.path);
-    std::move(one.companions.begin(), one.companions.end(), std::back_inserter(set.companions));
-    std::move(one.roles.begin(), one.roles.end(), std::back_inserter(set.roles));
-    set.tiles.push_back(one.target);
-    set.stats.pictures_decoded += one.stats.pictures_decoded;
-    set.stats.pictures_left_out += one.stats.pictures_left_out;
-    set.stats.decode_seconds += one.stats.decode_seconds;
-    add_sums(one, set);
-  }
-  sort_findings(set);
-  return set;
-}
-
-namespace {
-
-std::optional<FileRole> kind_of_json(std::string_view head) {
-  const auto has = [&](std::string_view text) { return head.find(text) != std::string_view::npos; };
-  if (has("\"pages\"") && (has("\"rects\"") || has("etak-atlas-layout"))) return FileRole::layout;
-  if (has("\"datasets\"") || has("etak-material/")) return FileRole::material;
-  return std::nullopt;
-}
-
-// The role of input from a pipe by its content, because it has no ending that could tell the role.
-std::optional<FileRole> kind_of_content(std::string_view head) {
-  switch (content_kind(head)) {
-    case ContentKind::gltf:
-      return FileRole::scene;
-    case ContentKind::json:
-      return kind_of_json(head);
-    case ContentKind::page:
-    case ContentKind::table:
-      return FileRole::spectrum;
-    case ContentKind::binary:
-    case ContentKind::prose:
-      break;
-  }
-  // A picture may look like text as well: Radiance HDR begins with lines of text.
-  if (!picture_format(head, "").empty()) return FileRole::specular_gloss;
-  return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<FileRole> role_of_file(const std::string& path) {
-  const std::string ending = lower_case(sys::path_text(std::filesystem::path(path).extension()));
-  const std::string_view bare = std::string_view(ending).substr(ending.empty() ? 0 : 1);
-  if (bare == radiance_ending ||
-      std::find(picture_endings.begin(), picture_endings.end(), bare) != picture_endings.end())
-    return FileRole::specular_gloss;
-  if (ending == ".gltf" || ending == ".glb") return FileRole::scene;
-  const MaterialFileKind kind = material_file_kind(path);
-  if (kind == MaterialFileKind::page || (kind == MaterialFileKind::table && !may_be_prose(path)))
-    return FileRole::spectrum;
-  const bool pipe = is_pipe_input(path);
-  if (ending != ".json" && !pipe) return std::nullopt;
-  const std::string head = read_head(path, content_head);
-  return ending == ".json" ? kind_of_json(head) : kind_of_content(head);
-}
-
-std::unique_ptr<RowSource> open_target_file(const TargetFile& file, const PictureDoor& door) {
-  return file.bytes ? open_picture(*file.bytes, file.label, door) : open_picture(file.path, door);
-}
-
-PicturesInMemory LoadedPictures::in_memory() const {
-  return {a.width == 0 ? nullptr : &a, b.width == 0 ? nullptr : &b,
-          metallic.width == 0 ? nullptr : &metallic};
-}
-
-LoadedPictures load_pictures(const CheckTarget& target, const PictureDoor& door) {
-  if (MetalRoughSet::is_set(target)) return MetalRoughSet(target, door).convert();
-  LoadedPictures out;
-  const auto load = [&](const TargetFile* file, Image8& to) {
-    if (file == nullptr) return;
-    Image8 codes;
-    auto source = open_target_file(*file, door);
-    if (source->header().floating)
-      source = rows_of(codes = codes_of(load_picture(file->picture(), door), true));
-    to = Image8(source->header().width, source->header().height, 4);
-    source->read_rows(to.values.data(), 4 * static_cast<std::size_t>(to.width), to.height);
-  };
-  load(with_role(target, {FileRole::diffuse_alpha}), out.a);
-  load(with_role(target, {FileRole::specular_gloss, FileRole::f0_only}), out.b);
-  return out;
 }
 
 }  // namespace etak

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/validate/files/find_targets.h"
-#include "core/validate/files/picture_namer.h"
-#include "core/validate/files/picture_sets.h"
+#include "core/validate/find/find_targets.h"
+#include "core/validate/find/picture_namer.h"
+#include "core/validate/find/picture_sets.h"
 
 namespace etak {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/validate/config.h"
-#include "core/validate/files/picture_sets.h"
+#include "core/validate/find/picture_sets.h"
 #include "core/validate/names/names.h"
 
 namespace etak {
