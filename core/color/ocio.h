@@ -74,7 +74,7 @@ class OcioDisplay {
   ///   error   OpenColorIO computes in float, and configs round their matrices: 1e-5 with etak's own config
   void apply(float* rgb, std::size_t count) const;
 
-  /// The same for a GPU: OpenColorIO's own shader, with its tables.
+  /// What apply() does, for a GPU: OpenColorIO's own shader, with its tables.
   ///   error   8-bit codes within 1 of apply()'s: OpenColorIO puts curves into tables there
   OcioShader shader() const;
 
