@@ -16,8 +16,8 @@
 #include "core/base/files/output_tree.h"
 #include "core/base/number.h"
 #include "core/base/system.h"
+#include "core/findings/output/formats.h"
 #include "core/pages/plan/plan.h"
-#include "core/validate/output/formats.h"
 #include "core/validate/validate.h"
 
 namespace etak::cli {

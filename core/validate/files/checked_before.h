@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/system.h"
+#include "core/judge/finding.h"
 #include "core/validate/files/find_targets.h"
-#include "core/validate/finding.h"
 
 namespace etak {
 
