@@ -199,32 +199,23 @@ bool names_whole_tree(const ValidationRequest& request) {
   });
 }
 
-// A digest of everything but the files that decides what a run finds and how it ends.
+// A digest of everything but the files that decides what a run finds and how it ends: the options of the line,
+// and what no option says, which are the configuration and the date.
 std::string options_digest(const ValidationRequest& request) {
   const Settings& settings = request.config.settings;
   ContentHash hash;
-  const auto add = [&](std::string_view text) { hash.add_part(text); };
-  const auto add_flag = [&](bool flag) { add(flag ? "1" : "0"); };
-  add(settings_hash(settings));
-  add(name(settings.fail_on));
+  hash.add_part(request.line_digest);
+  hash.add_part(settings_hash(settings));
+  hash.add_part(name(settings.fail_on));
   bool expires = false;
   for (const AllowEntry& entry : settings.allow) {
     for (const std::string* text :
          {&entry.rule, &entry.file, &entry.material, &entry.tile, &entry.reason, &entry.expires})
-      add(*text);
+      hash.add_part(*text);
     expires = expires || !entry.expires.empty();
   }
-  if (expires) add(request.today.empty() ? today_here() : request.today);
-  add(request.role ? name(*request.role) : "");
-  add(request.manifest.material);
-  add(request.manifest.surface_class);
-  add(baseline_json(request.known));
-  const VerdictOptions& verdict = request.verdict;
-  add(verdict.max_warnings ? std::to_string(*verdict.max_warnings) : "");
-  add(verdict.min_severity);
-  for (const bool flag : {names_whole_tree(request), request.must_check, request.pass_unknown,
-                          follows_links(), verdict.never_fails, verdict.exit_zero})
-    add_flag(flag);
+  if (expires && request.today.empty()) hash.add_part(today_here());
+  hash.add_part(names_whole_tree(request) ? "whole" : "");
   return hash.hex();
 }
 

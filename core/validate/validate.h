@@ -71,6 +71,7 @@ struct ValidationRequest {
   bool list_files = false;     // for list_files()
   std::optional<Shard> shard;  // only this part of what is found is checked
   VerdictOptions verdict;      // of a shard, which keeps it for the merge
+  std::string line_digest;     // of a shard: of all options that it was asked for with
   unsigned threads = 1;        // the report is the same for any number of them
   // Called by the thread that called validate(), with how many of the checks are done.
   std::function<void(std::size_t done, std::size_t all)> progress;

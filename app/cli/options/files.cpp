@@ -20,6 +20,7 @@ void add_input_timeout(CommandLine& line) {
                 "how long a named pipe may be silent at first (default 60); standard input may for ever")
         .value_name("SECONDS")
         .range(0.0, longest)
+        .in_shards(InShards::free)
         .common();
 }
 

@@ -41,6 +41,7 @@ void add_library_options(Command verb, Library& library) {
           "more, with ':' between")
       .value_name("DIR")
       .one_at_a_time()
+      .in_shards(InShards::free)  // what its materials change in the settings of a run is in their hash
       .common();
 }
 
@@ -127,6 +128,7 @@ void add_thread_option(Command verb, unsigned& threads) {
               "threads to use (default: all cores); the output is the same for any number")
       .value_name("N")
       .range(1u, 256u)
+      .in_shards(InShards::free)
       .common();
 }
 

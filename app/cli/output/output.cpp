@@ -43,18 +43,24 @@ void add_output_options(Command verb, OutputArguments& arguments, const std::vec
     const Option format =
         verb.option("--format", arguments.format, "form of the output; else the ending of -o tells it")
             .one_of(formats)
-            .show_default();
+            .show_default()
+            .in_shards(InShards::output);
     verb.when_read([verb, &arguments, formats, format] {
       settle_form(arguments, formats, "etak " + verb.name(), format.given());
     });
   }
-  verb.option("-o,--output", arguments.file, "file to write instead of standard output").value_name("FILE");
-  verb.flag("--force", arguments.force, "let -o replace a file; ETAK_FORCE=1 says the same");
-  verb.flag("-q,--quiet", arguments.quiet, "no remarks and no progress; errors still appear");
+  verb.option("-o,--output", arguments.file, "file to write instead of standard output")
+      .value_name("FILE")
+      .in_shards(InShards::output);
+  verb.flag("--force", arguments.force, "let -o replace a file; ETAK_FORCE=1 says the same")
+      .in_shards(InShards::output);
+  verb.flag("-q,--quiet", arguments.quiet, "no remarks and no progress; errors still appear")
+      .in_shards(InShards::output);
   verb.option(
           "--color", arguments.color,
           "colour swatches: auto (on a terminal; NO_COLOR, CLICOLOR and CLICOLOR_FORCE count), always, never")
       .one_of({"auto", "always", "never"})
+      .in_shards(InShards::free)
       .common();
 }
 

@@ -15,8 +15,8 @@ int pack_once(PackArguments& arguments);
 /// for a file of jobs that is not valid.
 int pack_batch(PackArguments& arguments);
 
-/// Throws Error for options with which --batch cannot be cut into shards.
-void check_can_be_cut(const PackArguments& arguments);
+/// Throws Error where the line has no --batch, or holds an option with which it cannot be cut into shards.
+void check_can_be_cut(const PackArguments& arguments, const std::vector<GivenOption>& line);
 
 /// How pack_batch() would cut the jobs into `count` shards, and what each reads. Throws as it does.
 std::vector<ShardPlan> plan_batch(const PackArguments& arguments, std::size_t count);

@@ -62,6 +62,7 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   out.hashes = arguments.output.format == "json";
   out.threads = thread_count(arguments.threads);
   out.shard = asked_shard(arguments.shard);
+  out.line_digest = arguments.line_digest;
   out.verdict = verdict_options(arguments);
   return out;
 }

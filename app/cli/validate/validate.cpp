@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 
-#include "app/cli/options/shard.h"
 #include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
@@ -199,13 +198,6 @@ int check_files(ValidateArguments& arguments) {
   const auto least = severity_named(arguments.min_severity);
   if (!arguments.min_severity.empty() && (!least || *least == Severity::off))
     throw Error::at("--min-severity", printable(arguments.min_severity), "info, warning or error");
-  if (!arguments.shard.empty()) {
-    (void)asked_shard(arguments.shard);
-    check_can_be_cut(arguments);
-    if (!arguments.write_baseline.empty())
-      throw Error::at("--write-baseline", "in one shard, and a baseline holds the findings of all",
-                      "etak merge SHARD... --write-baseline FILE");
-  }
   if (arguments.list_files) return list_found_files(arguments);
   check_targets(arguments);
   // A look-up in a cache takes microseconds, of which memory that comes anew from the system is a good part.
@@ -234,17 +226,6 @@ int check_files(ValidateArguments& arguments) {
   if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
   if (!arguments.watch) keep_to_end(std::move(report));
   return status;
-}
-
-void check_can_be_cut(const ValidateArguments& a) {
-  for (const auto& [option, given] : {std::pair{"--list-files", a.list_files},
-                                      {"--list-rules", a.list_rules},
-                                      {"--watch", a.watch},
-                                      {"--fix", !a.fix_folder.empty()},
-                                      {"--mask", !a.mask_folder.empty()}})
-    if (given) throw Error::at(option, "in a run that is cut into shards", "one of both");
-  refuse_pipes_of_shard(a.paths);
-  refuse_pipes_of_shard({a.files_from, a.baseline, a.settings.config});
 }
 
 VerdictOptions verdict_options(const ValidateArguments& arguments) {

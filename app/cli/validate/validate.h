@@ -31,7 +31,7 @@ struct ValidateArguments {
   bool exit_zero = false, list_rules = false, list_files = false, stats = false;
   std::string baseline, write_baseline, mask_folder, fix_folder;
   CacheArguments cache;
-  std::string shard;  // --shard as typed
+  std::string shard, line_digest;  // --shard as typed, and with it line_digest() of the line
   bool watch = false;
   std::shared_ptr<CheckedBefore> before;  // of --watch, from one run to the next
   unsigned threads = 0;
@@ -44,9 +44,6 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
 
 /// Checks files, or lists them with --list-files. Returns the exit status; throws Error.
 int check_files(ValidateArguments& arguments);
-
-/// Throws Error for options that need the whole run, and for pipes, which one task alone can read.
-void check_can_be_cut(const ValidateArguments& arguments);
 
 /// Tells on standard error what was not checked, and why.
 void tell_not_found(const ValidateArguments& arguments, const ValidationReport& report);

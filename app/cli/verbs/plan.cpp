@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/plan/plan.h"
-
 #include <memory>
 
+#include "app/cli/plan/engines.h"
+#include "app/cli/plan/plan.h"
 #include "app/cli/verbs.h"
 #include "core/base/shards/shards.h"
 
@@ -18,12 +18,7 @@ void add_plan(CommandLine& line) {
       .range(1U, static_cast<unsigned>(most_shards))
       .value_name("N")
       .required();
-  verb.option(
-          "--format", a.format,
-          "the engine: slurm (array and merge), cuecmd (OpenCue), parallel (GNU parallel), ninja (runs again "
-          "what has changed), json")
-      .one_of({"slurm", "cuecmd", "parallel", "ninja", "json"})
-      .required();
+  verb.option("--format", a.format, "the engine: " + plan_engines_text()).one_of(plan_engines()).required();
   verb.option("-o,--output,--out", a.out, "folder for the plan, and for what the tasks write")
       .value_name("DIR")
       .required();

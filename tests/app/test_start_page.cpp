@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/pages/start_page.h"
+#include "app/demo/start_page.h"
 
 #include <catch2/catch.hpp>
 

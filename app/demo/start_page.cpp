@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/pages/start_page.h"
+#include "app/demo/start_page.h"
 
 #include <algorithm>
 #include <string_view>
 
+#include "app/demo/start_page_style.h"
 #include "core/base/bytes/base64.h"
 #include "core/base/number.h"
 #include "core/base/text/text.h"
 #include "core/findings/output/formats.h"
 #include "core/pages/f0/page_parts.h"
 #include "core/pages/page_style.h"
-#include "core/pages/start_page_style.h"
 
 namespace etak {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/demo/start_page.h"
 #include "core/base/number.h"
 #include "core/base/text/text.h"
-#include "core/pages/start_page.h"
 
 namespace etak {
 namespace {

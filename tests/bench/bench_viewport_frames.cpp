@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints frame times of the OpenGL viewport: at 900 x 900 under three lights, and at two sizes in the studio.
+// bench_editor viewport_frames: prints frame times of the OpenGL viewport, at 900 x 900 under three lights and at two
+// sizes in the studio. Begin it with tests/gui/under_xvfb.sh. ETAK_FRAMES says of how many frames the times are taken.
 #include <QtTest>
 #include <algorithm>
 #include <ctime>
@@ -20,7 +21,6 @@ double process_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// ETAK_FRAMES says of how many frames the times are taken; a few show that frames come.
 int frames_wanted() {
   return std::max(3, qEnvironmentVariableIntValue("ETAK_FRAMES"));
 }
@@ -153,4 +153,4 @@ class ViewportFrames : public QObject {
 };
 
 ETAK_GUI_TEST(ViewportFrames, "viewport_frames")
-#include "test_viewport_frames.moc"
+#include "bench_viewport_frames.moc"

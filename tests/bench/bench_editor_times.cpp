@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints how long the editor takes from a change to the picture that shows it, with OpenGL where there is one:
+// bench_editor editor_times: prints how long the editor takes from a change to the picture that shows it, with OpenGL where there is one:
 // the gloss of a material with textures of 4096 x 4096 texels, and an environment of 1024 x 512 pixels.
 #include <QAbstractButton>
 #include <algorithm>
@@ -106,4 +106,4 @@ class EditorTimes : public QObject {
 };
 
 ETAK_GUI_TEST(EditorTimes, "editor_times")
-#include "test_editor_times.moc"
+#include "bench_editor_times.moc"
