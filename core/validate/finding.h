@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/files/cache_use.h"
+#include "core/runs/cache_use.h"
 #include "core/image/pixels_view.h"
 #include "core/validate/repair_report.h"
 

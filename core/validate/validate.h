@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files/cache_use.h"
-#include "core/base/shards/shards.h"
+#include "core/runs/cache_use.h"
+#include "core/runs/shards.h"
 #include "core/image/picture.h"
 #include "core/project/project.h"
 #include "core/validate/baseline.h"
@@ -21,7 +21,7 @@
 
 namespace etak {
 
-class CheckedBefore;  // core/validate/files/checked_before.h
+class CheckedBefore;  // core/validate/files/result_text.h
 class KeptPictures;
 
 // The interface of the validator (target etak::validate_files). check_pack.h checks an atlas while it is

@@ -15,7 +15,7 @@
 #include "core/base/files/input.h"
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
-#include "core/base/files/watched_files.h"
+#include "core/runs/watched_files.h"
 #include "core/base/json/json_text.h"
 #include "core/base/system.h"
 #include "core/scene/gltf.h"

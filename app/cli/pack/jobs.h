@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/pack/pack.h"
-#include "core/base/shards/shards.h"
+#include "core/runs/shards.h"
 
 namespace etak::cli {
 

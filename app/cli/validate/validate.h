@@ -15,7 +15,7 @@
 #include "core/validate/shards/report_shard.h"
 
 namespace etak {
-class CheckedBefore;  // core/validate/files/checked_before.h
+class CheckedBefore;  // core/validate/files/result_text.h
 }
 
 namespace etak::cli {

@@ -5,9 +5,9 @@
 
 #include "core/base/error.h"
 #include "core/base/files/input.h"
-#include "core/base/files/watched_files.h"
+#include "core/runs/watched_files.h"
 #include "core/base/system.h"
-#include "core/validate/files/checked_before.h"
+#include "core/validate/files/result_text.h"
 
 namespace etak::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include "app/cli/plan/engines.h"
 #include "app/cli/plan/plan.h"
 #include "app/cli/verbs.h"
-#include "core/base/shards/shards.h"
+#include "core/runs/shards.h"
 
 namespace etak::cli {
 

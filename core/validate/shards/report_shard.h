@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/shards/shards.h"
+#include "core/runs/shards.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
 #include "core/validate/suppress.h"
