@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/demo/start_page.h"
 #include "core/material/library.h"
-#include "core/pages/start_page.h"
 
 namespace etak::demo {
 

@@ -12,13 +12,13 @@
 #include "core/base/hash/content_hash.h"
 #include "core/base/hash/sha256.h"
 #include "core/base/parallel.h"
-#include "core/validate/engine.h"
+#include "core/findings/report.h"
+#include "core/findings/shards/report_shard.h"
 #include "core/validate/files/cut_targets.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/find_targets.h"
 #include "core/validate/files/project_check.h"
 #include "core/validate/files/result_text.h"
-#include "core/validate/shards/report_shard.h"
 
 namespace etak {
 namespace {
@@ -294,9 +294,9 @@ ValidationReport validate(ValidationRequest request) {
   std::vector<CheckedFile> files = with_tiles_joined(checks.take_files());
   std::move(found.lone.begin(), found.lone.end(), std::back_inserter(files));
   std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));
-  ValidationReport report = report_of_run(
-      std::move(files), request.config,
-      {request.today, names_whole_tree(request), request.known, request.renew_known, shard.get()});
+  ValidationReport report = report_of_run(std::move(files), request.config.settings,
+                                          {request.config.file, request.today, names_whole_tree(request),
+                                           request.known, request.renew_known, shard.get()});
   report.not_opened = std::move(found.no_files);
   report.run = run;
   report.cache = checks.cache_use();

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "core/findings/baseline.h"
+#include "core/findings/report.h"
+#include "core/findings/verdict_options.h"
+#include "core/image/picture.h"
+#include "core/judge/target.h"
+#include "core/project/project.h"
 #include "core/runs/cache_use.h"
 #include "core/runs/shards.h"
-#include "core/image/picture.h"
-#include "core/project/project.h"
-#include "core/validate/baseline.h"
 #include "core/validate/config.h"
-#include "core/validate/finding.h"
 #include "core/validate/names/listing.h"
-#include "core/validate/target.h"
-#include "core/validate/verdict_options.h"
 
 namespace etak {
 
@@ -26,7 +26,7 @@ class KeptPictures;
 
 // The interface of the validator (target etak::validate_files). check_pack.h checks an atlas while it is
 // packed, core/pages/finding_pictures.h makes masks and thumbnails of findings, and
-// core/validate/output/formats.h writes the report.
+// core/findings/output/formats.h writes the report.
 
 /// Materials of a project, which are no files: their pictures or colours are checked, and the records that
 /// their F0 comes from.

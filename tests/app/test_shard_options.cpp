@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/cli/options/shard.h"
-#include "core/validate/output/formats.h"
-#include "core/validate/shards/report_shard.h"
+#include "core/findings/output/formats.h"
+#include "core/findings/shards/report_shard.h"
 #include "core/validate/validate.h"
 #include "tests/support.h"
 

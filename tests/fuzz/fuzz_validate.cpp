@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/validate/engine.h"
+#include "core/judge/check_pictures.h"
 #include "core/validate/files/files.h"
 
 using namespace etak;

@@ -11,8 +11,8 @@
 #include "core/brdf/models.h"
 #include "core/color/colorspace.h"
 #include "core/exchange/engine_values.h"
+#include "core/judge/rules.h"
 #include "core/light/functions.h"
-#include "core/validate/rules.h"
 
 namespace etak::cli {
 namespace {

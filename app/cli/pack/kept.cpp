@@ -8,9 +8,9 @@
 #include "core/base/files/output_target.h"
 #include "core/base/files/read_places.h"
 #include "core/exchange/data_folder.h"
+#include "core/judge/settings.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/file_hints.h"
-#include "core/validate/settings.h"
 
 namespace etak::cli {
 

@@ -19,9 +19,9 @@
 #include "core/base/files/output_target.h"
 #include "core/base/memory.h"
 #include "core/base/system.h"
+#include "core/findings/output/formats.h"
 #include "core/project/project_pack.h"
 #include "core/validate/check_pack.h"
-#include "core/validate/output/formats.h"
 
 namespace etak::cli {
 namespace {

@@ -72,7 +72,8 @@ void write_picture(const RenderArguments& arguments, const Scene& scene, const I
     return write_png(arguments.picture, to_codes(picture, scene.exposure, scene.transfer, scene.tone),
                      arguments.stats.force);
   Image shown = linear;
-  OcioDisplay::open(arguments.ocio, arguments.display, arguments.view)
+  OcioConfig::open(arguments.ocio)
+      .display(arguments.display, arguments.view)
       .apply(shown.values.data(), shown.pixel_count());
   Image8 codes(shown.width, shown.height, 3);
   std::transform(shown.values.begin(), shown.values.end(), codes.values.begin(), to_code);

@@ -18,7 +18,7 @@
 #include "core/base/files/output_tree.h"
 #include "core/base/number.h"
 #include "core/base/system.h"
-#include "core/validate/output/formats.h"
+#include "core/findings/output/formats.h"
 #include "core/validate/validate.h"
 
 namespace etak::cli {

@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
-#include "core/validate/baseline.h"
-#include "core/validate/nearest.h"
+#include "core/findings/baseline.h"
+#include "core/judge/nearest.h"
 
 namespace etak::cli {
 

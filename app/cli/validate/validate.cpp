@@ -21,13 +21,13 @@
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/base/system.h"
+#include "core/findings/baseline.h"
+#include "core/findings/output/formats.h"
+#include "core/findings/suppress.h"
+#include "core/judge/rules.h"
 #include "core/pages/finding_pictures.h"
 #include "core/pages/repair_page.h"
-#include "core/validate/baseline.h"
-#include "core/validate/output/formats.h"
 #include "core/validate/repairs/repair_files.h"
-#include "core/validate/rules.h"
-#include "core/validate/suppress.h"
 #include "core/validate/validate.h"
 
 namespace etak::cli {

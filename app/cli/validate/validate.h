@@ -11,8 +11,8 @@
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "core/base/files/output.h"
+#include "core/findings/shards/report_shard.h"
 #include "core/validate/config.h"
-#include "core/validate/shards/report_shard.h"
 
 namespace etak {
 class CheckedBefore;  // core/validate/files/result_text.h

@@ -10,8 +10,8 @@
 #include "app/cli/validate/watch.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
-#include "core/validate/output/explain.h"
-#include "core/validate/rules.h"
+#include "core/findings/output/explain.h"
+#include "core/judge/rules.h"
 
 namespace etak::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "app/editor/document/document.h"
-#include "core/validate/finding.h"
+#include "core/judge/finding.h"
 
 namespace etak {
 class KeptPictures;

@@ -53,7 +53,7 @@ struct ViewPanel::ReadDisplays {
 ViewPanel::ReadDisplays ViewPanel::read_displays(const std::string& config) {
   ReadDisplays out;
   try {
-    out.displays = ocio_displays(config);
+    out.displays = OcioConfig::open(config).displays();
   } catch (const Error& error) {
     out.error = QString::fromUtf8(error.what());
   }

@@ -42,7 +42,7 @@ class ContentHash {
   std::unique_ptr<void, Release> state_;  // of the library
 };
 
-/// Of a whole file, in hexadecimal digits; empty where it cannot be read.
+/// The hash of a whole file in hexadecimal digits; empty where the file cannot be read.
 std::string content_hash_of_file(const std::string& path);
 
 }  // namespace etak

@@ -30,14 +30,65 @@ std::string kept_apart(std::string_view name) {
   return std::string(name) + (reserved.contains(name) ? "_" : "");
 }
 
-class Wgsl {
+// A place in a text that goes on from token to token.
+class Tokens {
  public:
-  explicit Wgsl(std::string_view text) {
+  explicit Tokens(std::string_view text) {
     for_each_token(text, [&](std::string_view token, std::string_view) {
       if (token != " ") tokens_.push_back(token);
     });
-    find_functions();
   }
+
+ protected:
+  std::string_view peek(std::size_t ahead = 0) const {
+    return at_ + ahead < tokens_.size() ? tokens_[at_ + ahead] : std::string_view();
+  }
+  std::string_view take() { return tokens_[at_++]; }
+  // Passes over line ends and comments: an expression may stand in several lines.
+  void skip() {
+    while (peek() == "\n" || is_comment(peek())) ++at_;
+  }
+  bool took(std::string_view token) {
+    skip();
+    if (peek() != token) return false;
+    ++at_;
+    return true;
+  }
+  void expect(std::string_view token) {
+    if (!took(token))
+      throw Error::at("WGSL", "\"" + std::string(peek()) + '"', '"' + std::string(token) + '"');
+  }
+  std::string word() {
+    skip();
+    return std::string(take());
+  }
+  std::string type() {
+    const std::string word_read = word();
+    const auto found = type_names.find(word_read);
+    return found == type_names.end() ? word_read : found->second;
+  }
+
+  // Whether the rest of the function assigns to the variable or to a member of it.
+  bool is_set_later(std::string_view name) const {
+    for (std::size_t i = at_, depth = 1; i + 2 < tokens_.size() && depth > 0; ++i) {
+      if (tokens_[i] == "{") ++depth;
+      if (tokens_[i] == "}") --depth;
+      if (tokens_[i] != name || tokens_[i - 1] == ".") continue;
+      const std::size_t sign = tokens_[i + 1] == "." ? i + 3 : i + 1;
+      const bool compound = std::string_view("+-*/").find(tokens_[sign]) != std::string_view::npos;
+      const std::size_t equals = compound ? sign + 1 : sign;
+      if (tokens_[equals] == "=" && tokens_[equals + 1] != "=") return true;
+    }
+    return false;
+  }
+
+  std::vector<std::string_view> tokens_;
+  std::size_t at_ = 0;
+};
+
+class Wgsl : private Tokens {
+ public:
+  explicit Wgsl(std::string_view text) : Tokens(text) { find_functions(); }
 
   std::string translated() {
     while (at_ < tokens_.size()) {
@@ -55,40 +106,8 @@ class Wgsl {
     std::vector<std::string> parameters;
   };
 
-  // ---- tokens
-
-  std::string_view peek(std::size_t ahead = 0) const {
-    return at_ + ahead < tokens_.size() ? tokens_[at_ + ahead] : std::string_view();
-  }
-  std::string_view take() { return tokens_[at_++]; }
-  // Passes over line ends and comments: an expression may stand in several lines.
-  void skip() {
-    while (peek() == "\n" || is_comment(peek())) ++at_;
-  }
-  bool next_is(std::string_view token) {
-    skip();
-    return peek() == token;
-  }
-  bool took(std::string_view token) {
-    if (!next_is(token)) return false;
-    ++at_;
-    return true;
-  }
-  void expect(std::string_view token) {
-    if (!took(token))
-      throw Error::at("WGSL", "\"" + std::string(peek()) + '"', '"' + std::string(token) + '"');
-  }
-  std::string word() {
-    skip();
-    return std::string(take());
-  }
   bool is_type(std::string_view token) const {
     return type_names.contains(token) || structs_.contains(token);
-  }
-  std::string type() {
-    const std::string word_read = word();
-    const auto found = type_names.find(word_read);
-    return found == type_names.end() ? word_read : found->second;
   }
 
   // ---- definitions
@@ -231,20 +250,6 @@ class Wgsl {
     out_ += (is_set_later(name) ? "var " : "let ") + kept_apart(name) + ": " + of + " = " + value + ';';
   }
 
-  // Whether the rest of the function assigns to the variable or to a member of it.
-  bool is_set_later(std::string_view name) const {
-    for (std::size_t i = at_, depth = 1; i + 2 < tokens_.size() && depth > 0; ++i) {
-      if (tokens_[i] == "{") ++depth;
-      if (tokens_[i] == "}") --depth;
-      if (tokens_[i] != name || tokens_[i - 1] == ".") continue;
-      const std::size_t sign = tokens_[i + 1] == "." ? i + 3 : i + 1;
-      const bool compound = std::string_view("+-*/").find(tokens_[sign]) != std::string_view::npos;
-      const std::size_t equals = compound ? sign + 1 : sign;
-      if (tokens_[equals] == "=" && tokens_[equals + 1] != "=") return true;
-    }
-    return false;
-  }
-
   // ---- expressions, by the rank of their operators
 
   Expression expression() {
@@ -345,8 +350,6 @@ class Wgsl {
             to_number.contains(name) ? "f32" : types.at(0)};
   }
 
-  std::vector<std::string_view> tokens_;
-  std::size_t at_ = 0;
   std::string out_;
   std::map<std::string, std::map<std::string, std::string>, std::less<>>
       structs_;  // the members and their types

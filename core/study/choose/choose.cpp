@@ -60,17 +60,6 @@ PictureDifference angle_difference(ErrorUnit unit, const FresnelTruth& truth, co
   return out;
 }
 
-template <class Candidate>
-struct Ranked {
-  Candidate candidate;
-  double cost;
-};
-
-template <class Candidate>
-void by_cost(std::vector<Ranked<Candidate>>& all) {
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
-}
-
 TextureFilter full_filter(const ChooseSubject& subject) {
   return !subject.textured() ? TextureFilter::constant
          : subject.mipmaps   ? TextureFilter::trilinear
@@ -160,47 +149,47 @@ Look with_form(Look look, const FresnelForm& form, const FresnelTruth& truth) {
   return look;
 }
 
+// A form with its largest error over all angles and in the worst pixel.
+struct TriedForm {
+  const FresnelForm* form = nullptr;
+  double angles = 0, seen = 0;
+};
+
 FresnelStep choose_fresnel(const Judge& judge, double limit) {
   const bool spectrum = judge.subject().dataset.has_value();
-  std::vector<Ranked<const FresnelForm*>> ranked;
+  std::vector<std::pair<double, TriedForm>> ranked;
   for (const FresnelForm& form : fresnel_forms())
     if (form.physical && (spectrum || needs_f0_alone(form)))
-      ranked.push_back({&form, judge.cost("fresnel/", form.id)});
-  by_cost(ranked);
+      ranked.push_back({judge.cost("fresnel/", form.id), {&form}});
   FresnelStep out;
-  out.limit = limit;
-  double found_cost = 0, found_mean = 0, closest_error = 0, closest_angles = 0, closest_picture = 0;
-  const FresnelForm* closest = nullptr;
-  for (const auto& [form, cost] : ranked) {
-    if (out.form != nullptr && cost > found_cost * same_cost) break;
-    const Look look = with_form(judge.everything(), *form, judge.truth());
-    const PictureDifference angles = judge.at_any_angle(*form, look.values);
-    Candidate candidate{std::string(form->id), std::string(form->title), cost, angles.worst, false};
-    double seen = 0;
+  std::optional<Tried<TriedForm>> closest;
+  auto found = cheapest_within(ranked, same_cost, out.candidates, [&](const TriedForm& item, double cost) {
+    const FresnelForm& form = *item.form;
+    const Look look = with_form(judge.everything(), form, judge.truth());
+    const PictureDifference angles = judge.at_any_angle(form, look.values);
+    Tried<TriedForm> one{{&form, angles.worst},
+                         {std::string(form.id), std::string(form.title), cost, angles.worst, false},
+                         std::nullopt};
     if (angles.worst <= limit || !spectrum) {
-      seen = judge.picture(look).worst;
-      candidate.error = std::max(angles.worst, seen);
-      candidate.within = candidate.error <= limit;
+      one.item.seen = judge.picture(look).worst;
+      one.candidate.error = std::max(angles.worst, one.item.seen);
+      one.candidate.within = one.candidate.error <= limit;
     }
-    out.candidates.push_back(candidate);
-    if (closest == nullptr || candidate.error < closest_error)
-      closest = form, closest_error = candidate.error, closest_angles = angles.worst, closest_picture = seen;
-    if (!candidate.within || (out.form != nullptr && angles.mean >= found_mean)) continue;
-    if (out.form == nullptr) found_cost = cost;
-    found_mean = angles.mean;
-    out.form = form;
-    out.error = angles.worst;
-    out.picture = seen;
-  }
-  if (out.form == nullptr && closest != nullptr) {
-    out.met = false;
-    out.form = closest;
-    out.error = closest_angles;
+    if (one.candidate.within) one.rank = angles.mean;
+    if (!closest || one.candidate.error < closest->candidate.error) closest = one;
+    return one;
+  });
+  out.met = found.has_value();
+  const TriedForm taken = found ? found->item : closest->item;
+  out.form = taken.form;
+  out.error = taken.angles;
+  out.picture = taken.seen;
+  out.limit = limit;
+  if (!out.met) {
     if (spectrum)
-      closest_picture =
-          std::max(out.error, judge.picture(with_form(judge.everything(), *closest, judge.truth())).worst);
-    out.picture = closest_picture;
-    out.limit = std::max(limit, closest_picture);
+      out.picture =
+          std::max(out.error, judge.picture(with_form(judge.everything(), *out.form, judge.truth())).worst);
+    out.limit = std::max(limit, out.picture);
   }
   out.values = out.form->fit(judge.truth());
   return out;
@@ -215,30 +204,29 @@ struct VisibilityStep {
 // Chooses among the masking terms that fit a GGX lobe, the full one included. Of terms of equal cost the one
 // with the least error of its own is taken.
 VisibilityStep choose_visibility(const Judge& judge, const Look& chosen, const FresnelStep& fresnel) {
-  std::vector<Ranked<const Term*>> ranked;
+  std::vector<std::pair<double, const Term*>> ranked;
   for (const Term& term : terms())
-    if (masks_ggx(term)) ranked.push_back({&term, judge.cost("visibility/", term.id)});
-  by_cost(ranked);
+    if (masks_ggx(term)) ranked.emplace_back(judge.cost("visibility/", term.id), &term);
   VisibilityStep out;
-  double found_cost = 0;
-  for (const auto& [term, cost] : ranked) {
-    if (!out.term.empty() && cost > found_cost * same_cost) break;
+  const auto found = cheapest_within(ranked, same_cost, out.candidates, [&](const Term* term, double cost) {
     const auto error_beside = [&judge, id = term->id](Look look) {
       look.visibility = id;
       return judge.picture(look).worst;
     };
-    Candidate candidate{std::string(term->id), std::string(term->title), cost, error_beside(chosen), false};
-    double own = 0;
-    if (candidate.error <= fresnel.limit) {
-      own = error_beside(judge.everything());
-      candidate.error = std::max(candidate.error, fresnel.picture + own);
-      candidate.within = candidate.error <= fresnel.limit;
-    }
-    out.candidates.push_back(candidate);
-    if (!candidate.within || (!out.term.empty() && own >= out.own)) continue;
-    if (out.term.empty()) found_cost = cost;
-    out.term = term->id;
-    out.own = own;
+    Tried<const Term*> one{
+        term,
+        {std::string(term->id), std::string(term->title), cost, error_beside(chosen), false},
+        std::nullopt};
+    if (one.candidate.error > fresnel.limit) return one;
+    const double own = error_beside(judge.everything());
+    one.candidate.error = std::max(one.candidate.error, fresnel.picture + own);
+    one.candidate.within = one.candidate.error <= fresnel.limit;
+    if (one.candidate.within) one.rank = own;
+    return one;
+  });
+  if (found) {
+    out.term = found->item->id;
+    out.own = *found->rank;
   }
   return out;
 }
@@ -254,12 +242,11 @@ FilterStep choose_filter(const Judge& judge, Look look, double spent, double lim
   FilterStep out;
   out.filter = full_filter(subject);
   if (!subject.textured()) return out;
-  std::vector<Ranked<TextureFilter>> ranked;
+  std::vector<std::pair<double, TextureFilter>> ranked;
   for (const TextureFilter filter : all_filters)
     if (subject.mipmaps || !reads_mips(filter))
-      ranked.push_back({filter, judge.filter_cost(filter, subject.texture->varying())});
-  by_cost(ranked);
-  for (const auto& [filter, cost] : ranked) {
+      ranked.emplace_back(judge.filter_cost(filter, subject.texture->varying()), filter);
+  const auto found = cheapest_within(ranked, 0, out.candidates, [&](TextureFilter filter, double cost) {
     look.filter = filter;
     double error = judge.picture(look).worst;
     if (error <= limit) {
@@ -267,12 +254,12 @@ FilterStep choose_filter(const Judge& judge, Look look, double spent, double lim
       alone.filter = filter;
       error = std::max(error, spent + judge.picture(alone).worst);
     }
+    const bool within = error <= limit;
     const std::string id(name(filter));
-    out.candidates.push_back({id, id, cost, error, error <= limit});
-    if (error > limit) continue;
-    out.filter = filter;
-    break;
-  }
+    return Tried<TextureFilter>{
+        filter, {id, id, cost, error, within}, within ? std::optional(error) : std::nullopt};
+  });
+  if (found) out.filter = found->item;
   return out;
 }
 
@@ -296,17 +283,17 @@ MethodStep choose_method(const Judge& judge, const Look& chosen, const FresnelSt
   };
   const F0Result truth = f0_by(Method::exact);
   if (truth.refused()) throw Error::at(subject.library, truth.refusal, "data with a colour");
-  std::vector<Ranked<Method>> ranked;
+  std::vector<std::pair<double, Method>> ranked;
   for (const Method method : all_methods)
     // Schueler's method has a power law of its own, so that its result is another quantity.
     if (method != Method::legacy_schueler)
-      ranked.push_back({method, judge.cost("quadrature/", name(method))});
-  by_cost(ranked);
+      ranked.emplace_back(judge.cost("quadrature/", name(method)), method);
   MethodStep out;
-  for (const auto& [method, cost] : ranked) {
+  const auto found = cheapest_within(ranked, 0, out.candidates, [&](Method method, double cost) {
     const F0Result result = f0_by(method);
+    const std::string id(name(method));
     const double own = difference(judge.unit(), vec(result.srgb_linear), vec(truth.srgb_linear));
-    Candidate candidate{std::string(name(method)), std::string(name(method)), cost, own, false};
+    Tried<Method> one{method, {id, id, cost, own, false}, std::nullopt};
     FresnelTruth fed = judge.truth();
     fed.f0 = vec(result.srgb_linear);
     if (result.f82) fed.f82 = vec(*result.f82);
@@ -314,19 +301,17 @@ MethodStep choose_method(const Judge& judge, const Look& chosen, const FresnelSt
     double at_angle = 0;
     if (own <= fresnel.limit) {
       at_angle = judge.at_any_angle(*fresnel.form, look.values).worst;
-      candidate.error = std::max({fresnel.error + own, at_angle, judge.picture(look).worst});
+      one.candidate.error = std::max({fresnel.error + own, at_angle, judge.picture(look).worst});
     }
-    candidate.within = candidate.error <= fresnel.limit;
-    out.candidates.push_back(candidate);
-    if (!candidate.within && (fresnel.met || method != Method::exact)) continue;
-    out.method = candidate.id;
-    out.values = look.values;
-    out.method_error = own;
-    out.fresnel_error = at_angle;
-    out.cost_ns = cost;
-    return out;
-  }
-  throw Error::at(setting("budget"), number(budget, 6), "at least what the quadratures differ by");
+    one.candidate.within = one.candidate.error <= fresnel.limit;
+    if (!one.candidate.within && (fresnel.met || method != Method::exact)) return one;
+    one.rank = own;
+    out = {id, look.values, own, at_angle, cost, std::move(out.candidates)};
+    return one;
+  });
+  if (!found)
+    throw Error::at(setting("budget"), number(budget, 6), "at least what the quadratures differ by");
+  return out;
 }
 
 // Fills in the texel that stands for the whole material, and the numbers of the model for it.
@@ -345,38 +330,42 @@ void describe_model(const Judge& judge, const FresnelValues& values, Choice& out
   out.defines = shading_defines(out.model, name(out.filter));
 }
 
-// Takes a whole model in the place of the chosen form of F and masking, where one is cheaper and within the limit.
-void take_whole_model(const Judge& judge, Look look, const FresnelStep& fresnel, const CostTable& costs,
-                      Choice& out) {
+// Takes a whole model in the place of the chosen form of F and masking, where one is within the limit and cheaper by
+// more than two measurements differ.
+void take_whole_model(const Judge& judge, Look look, const FresnelStep& fresnel, Choice& out) {
   const SurfaceTexel& mean = out.texel;
   look.f0 = mean.f0;
-  if (judge.subject().dataset) look.index = fresnel_form("index")->fit(judge.truth());
-  const auto error_of = [&](const Model& model) -> std::optional<double> {
-    if (takes_index(model) && !judge.subject().dataset) return std::nullopt;
-    look.model = &model;
-    const double seen = judge.picture(look).worst;
-    const FresnelForm* form = form_of(model);
-    return form == nullptr
-               ? seen
-               : std::max(seen, judge.at_any_angle(*form, form->fit(judge.truth())).worst + out.method_error);
-  };
+  const bool spectrum = judge.subject().dataset.has_value();
+  if (spectrum) look.index = fresnel_form("index")->fit(judge.truth());
+  const double replaced = judge.cost("fresnel/", out.fresnel->id) + judge.cost("visibility/", out.visibility);
   // A masking term is measured with a lobe of Schlick's F.
-  const double frame = judge.cost("fresnel/", out.fresnel->id) + judge.cost("visibility/", out.visibility) -
-                       judge.cost("fresnel/", "schlick");
-  ModelStep step = choose_model(costs, frame, fresnel.limit, error_of);
-  out.model_candidates = std::move(step.candidates);
-  if (step.model == nullptr) return;
-  look.model = step.model;
-  const PictureDifference seen = judge.picture(look);
+  const double frame = replaced - judge.cost("fresnel/", "schlick");
+  std::vector<std::pair<double, const Model*>> ranked;
+  for (const Model* model : whole_models())
+    if (const double cost = judge.cost("model/", model->id);
+        cost * same_cost < frame && (spectrum || !takes_index(*model)))
+      ranked.emplace_back(cost, model);
+  PictureDifference seen;
+  const auto found = cheapest_within(ranked, 0, out.model_candidates, [&](const Model* model, double cost) {
+    look.model = model;
+    seen = judge.picture(look);
+    double error = seen.worst;
+    if (const FresnelForm* form = form_of(*model))
+      error = std::max(error, judge.at_any_angle(*form, form->fit(judge.truth())).worst + out.method_error);
+    const bool within = error <= fresnel.limit;
+    return Tried<const Model*>{model,
+                               {std::string(model->id), std::string(model->title), cost, error, within},
+                               within ? std::optional(error) : std::nullopt};
+  });
+  if (!found) return;
   out.whole_model = true;
-  out.model = step.model->id;
-  out.model_values = whole_model_numbers(*step.model, mean.f0, look.index, mean);
+  out.model = found->item->id;
+  out.model_values = whole_model_numbers(*found->item, mean.f0, look.index, mean);
   out.defines = shading_defines(out.model, name(out.filter));
   out.picture_error = seen.worst;
   out.picture_mean = seen.mean;
-  out.fresnel_error = step.error;
-  out.chosen_ns +=
-      step.cost_ns - judge.cost("fresnel/", out.fresnel->id) - judge.cost("visibility/", out.visibility);
+  out.fresnel_error = found->candidate.error;
+  out.chosen_ns += found->candidate.cost_ns - replaced;
 }
 
 double evaluation_cost(const Judge& judge, std::string_view form, std::string_view visibility,
@@ -434,7 +423,7 @@ Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const 
   out.everything_ns =
       evaluation_cost(judge, judge.full_form(), full_visibility, full_filter(subject), textures_of_pair);
   out.chosen_ns = evaluation_cost(judge, out.fresnel->id, out.visibility, out.filter, out.textures);
-  if (out.met) take_whole_model(judge, chosen, fresnel, costs, out);
+  if (out.met) take_whole_model(judge, chosen, fresnel, out);
   return out;
 }
 

@@ -53,26 +53,4 @@ const FresnelForm* form_of(const Model& model) {
   return fresnel_form(id);
 }
 
-ModelStep choose_model(const CostTable& costs, double frame_ns, double limit,
-                       const std::function<std::optional<double>(const Model&)>& error_of) {
-  std::vector<std::pair<double, const Model*>> ranked;
-  for (const Model* model : whole_models())
-    if (const double cost = costs.of("model/" + std::string(model->id)); cost * same_cost < frame_ns)
-      ranked.emplace_back(cost, model);
-  std::ranges::stable_sort(ranked, {}, [](const auto& each) { return each.first; });
-  ModelStep out;
-  for (const auto& [cost, model] : ranked) {
-    const std::optional<double> error = error_of(*model);
-    if (!error) continue;
-    out.candidates.push_back(
-        {std::string(model->id), std::string(model->title), cost, *error, *error <= limit});
-    if (*error > limit) continue;
-    out.model = model;
-    out.error = *error;
-    out.cost_ns = cost;
-    break;
-  }
-  return out;
-}
-
 }  // namespace etak

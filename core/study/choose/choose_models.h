@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/brdf/models.h"
@@ -13,6 +14,37 @@ namespace etak {
 /// Costs within this factor count as equal, because two runs of measure_costs() differ by as much. Of forms of equal
 /// cost the one with the least mean error is taken.
 inline constexpr double same_cost = 1.15;
+
+/// What trying a candidate gave.
+///   rank   of those that cost as much as the cheapest one, the least rank is taken; none: the candidate cannot be
+template <class Item>
+struct Tried {
+  Item item;
+  Candidate candidate;
+  std::optional<double> rank;
+};
+
+/// Tries candidates from the cheapest on, up to those that cost at most `same` times the cheapest one that can be
+/// taken, and returns the one that is taken; none: there is none.
+///   ranked    the costs in ns, and what the candidates are
+///   try_one   takes an item and its cost, and gives Tried<Item>
+///   tried     gets all candidates that were tried
+template <class Item, class TryOne>
+std::optional<Tried<Item>> cheapest_within(std::vector<std::pair<double, Item>> ranked, double same,
+                                           std::vector<Candidate>& tried, const TryOne& try_one) {
+  std::ranges::stable_sort(ranked, {}, [](const auto& each) { return each.first; });
+  std::optional<Tried<Item>> found;
+  double most = 0;
+  for (const auto& [cost, item] : ranked) {
+    if (found && cost > most) break;
+    Tried<Item> one = try_one(item, cost);
+    tried.push_back(one.candidate);
+    if (!one.rank || (found && *one.rank >= *found->rank)) continue;
+    if (!found) most = cost * same;
+    found = std::move(one);
+  }
+  return found;
+}
 
 // Whole models beside the frame of GGX, a form of F and a masking term: Schueler's techniques, and lobes of other
 // distributions.
@@ -34,18 +66,5 @@ std::vector<double> whole_model_numbers(const Model& model, const Vec3& f0, cons
 /// The form of F that the model has, with which it is judged at every angle; null: one that is hidden in its lobe, so
 /// that pictures alone judge it.
 const FresnelForm* form_of(const Model& model);
-
-/// The whole model that was chosen; null: none is cheaper than the frame and within the limit.
-struct ModelStep {
-  const Model* model = nullptr;
-  double error = 0, cost_ns = 0;
-  std::vector<Candidate> candidates;  // those that are cheaper than the frame
-};
-
-///   frame_ns   what an evaluation costs with the chosen form of F and masking; a model must be cheaper by more than
-///              two measurements differ
-///   error_of   the largest error of a model; none: the material cannot have it
-ModelStep choose_model(const CostTable& costs, double frame_ns, double limit,
-                       const std::function<std::optional<double>(const Model&)>& error_of);
 
 }  // namespace etak

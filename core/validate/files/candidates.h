@@ -6,7 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "core/validate/target.h"
+#include "core/judge/target.h"
 
 namespace etak {
 

@@ -16,16 +16,16 @@
 #include "core/image/load.h"
 #include "core/image/picture_bytes.h"
 #include "core/image/picture_endings.h"
+#include "core/judge/engine.h"
+#include "core/judge/pixels/flat_rows.h"
+#include "core/judge/rules.h"
 #include "core/scene/gltf.h"
-#include "core/validate/engine.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/files/material_evidence.h"
 #include "core/validate/files/metal_rough.h"
 #include "core/validate/files/page_parts.h"
 #include "core/validate/files/scene_check.h"
 #include "core/validate/files/scene_use.h"
-#include "core/validate/pixels/flat_rows.h"
-#include "core/validate/rules.h"
 
 namespace etak {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/image/picture.h"
-#include "core/validate/finding.h"
-#include "core/validate/settings.h"
-#include "core/validate/target.h"
+#include "core/judge/finding.h"
+#include "core/judge/settings.h"
+#include "core/judge/target.h"
 
 namespace etak {
 

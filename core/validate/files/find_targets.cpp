@@ -20,8 +20,8 @@
 #include "core/base/system.h"
 #include "core/base/text/ascii.h"
 #include "core/exchange/data_folder.h"
+#include "core/judge/rules.h"
 #include "core/scene/gltf.h"
-#include "core/validate/engine.h"
 #include "core/validate/files/candidates.h"
 #include "core/validate/files/file_hints.h"
 #include "core/validate/files/files.h"
@@ -29,7 +29,6 @@
 #include "core/validate/files/picture_sets.h"
 #include "core/validate/files/set_targets.h"
 #include "core/validate/names/names.h"
-#include "core/validate/rules.h"
 
 namespace etak {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/validate/finding.h"
+#include "core/findings/report.h"
+#include "core/judge/target.h"
 #include "core/validate/names/listing.h"
-#include "core/validate/target.h"
 #include "core/validate/validate.h"
 
 namespace etak {

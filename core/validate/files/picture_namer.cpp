@@ -5,8 +5,8 @@
 
 #include "core/base/files/input.h"
 #include "core/base/text/ascii.h"
+#include "core/findings/suppress.h"
 #include "core/validate/files/file_hints.h"
-#include "core/validate/suppress.h"
 
 namespace etak {
 

@@ -4,11 +4,12 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "core/judge/check_pictures.h"
+#include "core/judge/engine.h"
+#include "core/judge/rules.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
-#include "core/validate/engine.h"
 #include "core/validate/files/material_evidence.h"
-#include "core/validate/rules.h"
 
 namespace etak {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/judge/finding.h"
 #include "core/runs/kept_results.h"
 #include "core/validate/files/find_targets.h"
-#include "core/validate/finding.h"
 
 namespace etak {
 

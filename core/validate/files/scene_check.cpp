@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/validate/engine.h"
+#include "core/judge/engine.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/files/scene_use.h"
 

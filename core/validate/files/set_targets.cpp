@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/base/text/ascii.h"
-#include "core/validate/engine.h"
-#include "core/validate/rules.h"
+#include "core/judge/engine.h"
+#include "core/judge/rules.h"
 
 namespace etak {
 

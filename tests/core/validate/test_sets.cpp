@@ -10,8 +10,8 @@
 #include "core/image/files/png.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/metal_rough.h"
+#include "tests/core/judge/corpus.h"
 #include "tests/core/validate/checked.h"
-#include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
 using namespace etak;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "core/base/number.h"
+#include "core/judge/rules/rows.h"
+
+namespace etak {
+
+namespace {
+
+void etk605(RuleCheck& check) {
+  const auto& material = check.evidence.material;
+  if (!material) return;
+  for (const SpectralRows& rows : material->datasets) {
+    if (rows.wavelength_nm.empty()) continue;
+    const auto [least, most] = std::minmax_element(rows.wavelength_nm.begin(), rows.wavelength_nm.end());
+    if (*least <= 900 && *most >= 300) continue;
+    Finding& finding = check.report();
+    finding.pointer = rows.pointer;
+    finding.value = number(*least, 4) + " to " + number(*most, 4) + " nm";
+    finding.limit = "300 to 900 nm";
+    finding.message = "dataset \"" + rows.id + "\" runs from " + finding.value + ": another unit?";
+  }
+}
+
+}  // namespace
+
+constinit const Rule etk605_unit_suspect{
+    "ETK605",
+    "unit-suspect",
+    "Wavelengths in another unit",
+    Severity::error,
+    Severity::error,
+    {Need::material},
+    {},
+    "etak",
+    "The wavelengths do not reach into 300 to 900 nm. Wider limits, such as 10 to 50,000 nm, "
+    "would let a table of gold in micrometres pass that runs to 25.",
+    "Micrometres taken for nanometres, or the reverse: then nothing lies in the visible "
+    "range.",
+    "A page in micrometres imported as nanometres.",
+    "State the unit of the source.",
+    &etk605};
+
+}  // namespace etak
