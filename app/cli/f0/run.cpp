@@ -7,12 +7,10 @@
 #include <set>
 
 #include "app/cli/inputs/inputs.h"
-#include "app/cli/options/empty_list.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
-#include "app/cli/output/terminal.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/number.h"

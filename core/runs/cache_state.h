@@ -17,16 +17,19 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/files/cache_folder.h"
 #include "core/base/system.h"
+#include "core/runs/cache_folder.h"
 
 namespace etak {
 
 inline constexpr std::string_view cache_format = "etak-cache/1", entry_ending = ".entry";
 inline constexpr const char *folder_of_new_entries = "new", *account_file = "account",
-                            *tag_file = "CACHEDIR.TAG";
+                            *tag_file = "CACHEDIR.TAG", *secret_file = "secret";
 inline constexpr std::size_t folder_digits = 2, digest_digits = 64, longest_head = 256;
 inline constexpr std::int64_t hour = 3600;
+// Another program may hold the lock of the folder for ever. Without it nothing breaks: two programs then do
+// the same work, the account is wrong until entries are counted again, or results are kept that nobody finds.
+inline constexpr std::chrono::seconds most_wait_for_lock{2};
 // Most entries are not larger, and are read by one call.
 inline constexpr std::size_t usual_entry = std::size_t{16} << 10;
 
@@ -61,6 +64,10 @@ inline bool fill_from(int file, std::span<char> out) {
 inline std::int64_t clock_seconds() {
   return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
       .count();
+}
+
+inline bool same_time(const sys::FileInfo::Time& a, const sys::FileInfo::Time& b) {
+  return a.seconds == b.seconds && a.nanoseconds == b.nanoseconds;
 }
 
 // Whether a time is so long ago that a use is worth a new one. By this machine's clock: a wrong one costs a call.
@@ -128,7 +135,8 @@ struct CacheFolder::State {
 
   CacheOptions options;
   Descriptor root;
-  std::mutex lock;  // of what follows
+  std::string secret;  // of DIR/secret; empty: with a key, or where there is none and none could be written
+  std::mutex lock;     // of what follows
   std::array<Descriptor, 256> folders;
   Descriptor fresh;  // DIR/new
   std::string why;
@@ -141,6 +149,9 @@ struct CacheFolder::State {
 
   // Marks the folder as the cache's own where it may be; throws Error where it may not.
   void own_folder();
+
+  // Takes the secret of the folder, which the first program that finds none draws.
+  void take_secret();
 
   std::string seal(std::string_view digest, std::string_view sizes, std::string_view text) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/shards/shards.h"
+#include "core/runs/shards.h"
 
 #include <algorithm>
 

@@ -3,9 +3,11 @@
 // else there is ever replaced or removed.
 #include <string>
 
-#include "core/base/files/cache_state.h"
+#include "core/base/hash/content_hash.h"
+#include "core/base/hash/sha256.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/runs/cache_state.h"
 
 namespace etak {
 namespace {
@@ -30,19 +32,27 @@ bool is_entry_name(std::string_view name) {
   return is_hex_with(name, digits, entry_ending) || is_hex_with(name, digits, ".json");
 }
 
-// Earlier versions put copies of many entries in one file. Nothing reads these any more either.
-bool is_bundle_name(std::string_view name) {
-  return is_hex_with(name, new_digits, ".bundle");
-}
-
 bool is_marked(int root) {
   const auto tag = first_bytes_of(root, tag_file);
   return tag && tag->starts_with(tag_begin);
 }
 
+// Whether a file is what a power cut leaves of one.
+bool is_lost(std::string_view text) {
+  return text.find_first_not_of('\0') == text.npos;
+}
+
+// The secret in DIR/secret, which its SHA-256 follows; empty where there is none, or something else.
+std::string secret_in(int root) {
+  const std::string text = first_bytes_of(root, secret_file).value_or("");
+  const std::string secret = text.substr(0, ContentHash::secret_size);
+  return secret + sha256(secret) == text ? secret : "";
+}
+
 // The first name in the folder that no cache makes; empty where there is none.
 std::string foreign_name(int root) {
   for (const std::string& name : names_in(root)) {
+    if (name == secret_file && !secret_in(root).empty()) continue;
     if (name == account_file)
       if (const auto text = first_bytes_of(root, account_file); text && is_account(*text)) continue;
     const IsOwnName is_own = own_names_of(name);
@@ -62,7 +72,6 @@ bool is_new_name(std::string_view name) {
 
 IsOwnName own_names_of(std::string_view folder) {
   if (folder == folder_of_new_entries) return is_new_name;
-  if (folder == "bundles") return is_bundle_name;
   return is_hex_with(folder, folder_digits, {}) ? is_entry_name : nullptr;
 }
 
@@ -77,7 +86,7 @@ std::optional<std::string> first_bytes_of(int folder, const std::string& name) {
 }
 
 bool is_account(std::string_view text) {
-  return text.starts_with("etak-cache/") || text.find_first_not_of('\0') == text.npos;
+  return text.starts_with("etak-cache/") || is_lost(text);
 }
 
 std::optional<CacheAccount> read_account(std::string_view text) {
@@ -102,6 +111,22 @@ void CacheFolder::State::own_folder() {
   if (!tag.create()) return;
   tag.add(std::string(tag_begin) + std::string(tag_rest));
   (void)tag.rename_to(root.get(), tag_file);
+}
+
+void CacheFolder::State::take_secret() {
+  secret = secret_in(root.get());
+  if (!secret.empty()) return;
+  const FolderLock guard(root.get(), most_wait_for_lock);
+  secret = secret_in(root.get());
+  const auto text = first_bytes_of(root.get(), secret_file);
+  sys::FileInfo info;
+  const bool foreign = text ? !is_lost(*text) : sys::file_info_in(root.get(), secret_file, info);
+  std::string drawn(ContentHash::secret_size, '\0');
+  NewEntry::Open file(*this);
+  if (foreign || !sys::random_bytes(drawn.data(), drawn.size()) || !file.create()) return;
+  file.add(drawn + sha256(drawn));
+  // Where there was no lock, the secret of the last program stays, and what was kept by another one is not found.
+  if (file.rename_to(root.get(), secret_file)) secret = secret_in(root.get());
 }
 
 }  // namespace etak

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/files/watched_files.h"
+#include "core/runs/watched_files.h"
 
 #include <atomic>
 #include <catch2/catch.hpp>

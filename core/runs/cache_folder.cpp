@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/files/cache_folder.h"
+#include "core/runs/cache_folder.h"
 
 #include <cassert>
 #include <cerrno>
@@ -8,14 +8,15 @@
 
 #include "core/base/bytes/hex.h"
 #include "core/base/error.h"
-#include "core/base/files/cache_state.h"
 #include "core/base/files/file.h"
+#include "core/base/hash/content_hash.h"
 #include "core/base/hash/sha256.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/signals.h"
 #include "core/base/text/ascii.h"
 #include "core/base/text/text.h"
+#include "core/runs/cache_state.h"
 
 namespace etak {
 namespace {
@@ -138,6 +139,7 @@ CacheFolder::CacheFolder(CacheOptions options) : state_(std::make_unique<State>(
   s.root = Descriptor(sys::open_file(path, sys::Open::folder));
   if (s.root) {
     s.own_folder();
+    if (s.options.key.empty()) s.take_secret();
     return;
   }
   const int error = errno;
@@ -285,6 +287,21 @@ void CacheFolder::NewEntry::keep() {
   }
   ++s.written;
   s.added += in_blocks(open->expected);
+}
+
+std::string CacheFolder::hash_of(const std::string& path, sys::FileInfo& info, SeenAsFile seen,
+                                 std::string* sha256) const {
+  const bool by_secret = !state_->secret.empty(), by_sha256 = !by_secret || sha256 != nullptr;
+  ContentHash content(state_->secret);
+  Sha256 sha;
+  if (!take_bytes(path, info, seen, [&](std::string_view bytes) {
+        if (by_secret) content.add(bytes);
+        if (by_sha256) sha.add(bytes);
+      }))
+    return {};
+  const std::string digits = by_sha256 ? sha.finish() : "";
+  if (sha256 != nullptr) *sha256 = digits;
+  return by_secret ? content.hex() : digits;
 }
 
 std::string read_cache_key(const std::string& path) {

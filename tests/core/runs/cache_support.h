@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/base/files/cache_folder.h"
+#include "core/runs/cache_folder.h"
 
 namespace etak::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/files/cache_folder.h"
+#include "core/runs/cache_folder.h"
 
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash/sha256.h"
-#include "tests/core/base/cache_support.h"
+#include "tests/core/runs/cache_support.h"
 #include "tests/support.h"
 
 namespace etak {
@@ -273,7 +273,7 @@ TEST_CASE("a folder is a cache's where it is new, empty or marked; any other one
   const std::string entry = "ab/" + std::string(62, '0') + ".entry";
   const std::vector<std::string> names{
       "mine.txt", "new/mine.psd", "account",    "CACHEDIR.TAG", "new/0123456789abcdeg",
-      "ab/mine",  entry + "x",    "AB" + entry, "cd/" + entry,  "bundles/mine"};
+      "ab/mine",  entry + "x",    "AB" + entry, "cd/" + entry,  "secret"};
   for (const std::string& name : names) {
     INFO(name);
     const TempFolder foreign;
@@ -291,7 +291,7 @@ TEST_CASE("a folder is a cache's where it is new, empty or marked; any other one
   CHECK(test::contains(fault_of(other.path()), "holds \"CACHEDIR.TAG\""));
 }
 
-TEST_CASE("a cache from before there was a tag is marked and goes on, and its bundles go when it is full") {
+TEST_CASE("a cache from before there was a tag is marked and goes on, and its entries go when it is full") {
   const TempFolder folder;
   constexpr std::uint64_t most = 20 * 4096;
   {
@@ -300,20 +300,53 @@ TEST_CASE("a cache from before there was a tag is marked and goes on, and its bu
   }
   for (const char* later : {"CACHEDIR.TAG", "account"}) fs::remove(folder.file(later));
   test::spit(folder.file("new/0123456789abcdef"), "half");
-  const std::string older = folder.file(digest_of(1).substr(0, 2) + '/' + std::string(62, 'a') + ".json"),
-                    bundle = folder.file("bundles/0123456789abcdef.bundle");
+  const std::string older = folder.file(digest_of(1).substr(0, 2) + '/' + std::string(62, 'a') + ".json");
   test::spit(older, "of an early version");
-  fs::create_directory(folder.file("bundles"));
-  test::spit(bundle, std::string(4096, 'x'));
-  for (const std::string& path : {older, bundle}) set_age(path, std::chrono::hours(3));
+  set_age(older, std::chrono::hours(3));
   CacheFolder cache(cache_at(folder.path(), most));
   CHECK(test::slurp(folder.file("CACHEDIR.TAG")).starts_with(tag));
   CHECK(text_of(cache, digest_of(7)) == "small");
-  CHECK(cache.use().size->bytes == 17 * 4096);
+  CHECK(cache.use().size->bytes == 16 * 4096);
   for (int i = 15; i < 20; ++i) cache.keep(digest_of(i), "small");
   CHECK(cache.use().size->bytes <= most);
   CHECK(!fs::exists(older));
-  CHECK(!fs::exists(bundle));
+}
+
+TEST_CASE("the secret of a cache is drawn once, tells files apart, and is made again where it was lost") {
+  const TempFolder folder;
+  const std::string path = folder.file("secret"), a = folder.file("a"), b = folder.file("b");
+  const TempFolder other;
+  { const CacheFolder cache(cache_at(folder.path())), another(cache_at(other.path())); }
+  const std::string drawn = test::slurp(path);
+  CHECK(drawn.size() == 256);
+  CHECK(drawn != test::slurp(other.file("secret")));
+  test::spit(a, "one");
+  test::spit(b, "two");
+  const auto hash = [](const std::string& at, const std::string& file, const std::string& key = "") {
+    CacheOptions options = cache_at(at);
+    options.key = key;
+    sys::FileInfo info;
+    return CacheFolder(options).hash_of(file, info);
+  };
+  CHECK(hash(folder.path(), a) == hash(folder.path(), a));
+  CHECK(hash(folder.path(), a) != hash(folder.path(), b));
+  CHECK(hash(folder.path(), a) != hash(other.path(), a));
+  CHECK(hash(folder.path(), a).size() == 32);
+  CHECK(hash(folder.path(), a, "sixteen bytes or more") == sha256("one"));
+  CHECK(test::slurp(path) == drawn);
+  sys::FileInfo info;
+  std::string promised;
+  (void)CacheFolder(cache_at(folder.path())).hash_of(a, info, SeenAsFile::no, &promised);
+  CHECK(promised == sha256("one"));
+  // What a power cut leaves is replaced; a file of somebody else stays, and the keys are SHA-256 then.
+  for (const std::string& lost : {std::string(), std::string(256, '\0')}) {
+    test::spit(path, lost);
+    CHECK(hash(folder.path(), a).size() == 32);
+    CHECK(test::slurp(path) != drawn);
+  }
+  test::spit(path, "mine");
+  CHECK(hash(folder.path(), a) == sha256("one"));
+  CHECK(test::slurp(path) == "mine");
 }
 
 TEST_CASE("many programs that begin with a new cache at once all mark it and lose nothing") {

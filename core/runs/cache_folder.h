@@ -11,9 +11,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/files/cache_use.h"
 #include "core/base/files/descriptor.h"
+#include "core/base/files/input.h"
 #include "core/base/files/temporary.h"
+#include "core/runs/cache_use.h"
 
 namespace etak {
 
@@ -29,8 +30,11 @@ struct CacheEntry {
 ///   owner    the folder is the cache's own: DIR/CACHEDIR.TAG marks it. A folder without that file is marked
 ///            where it is empty or holds only names that a cache makes, as caches of earlier versions do; any
 ///            other one is refused. In a marked folder too, only names that a cache makes are ever removed, and
-///            DIR/account is replaced only where a cache has written it
-///   names    an entry is found by a digest: 64 hexadecimal digits that tell all that its content depends on
+///            DIR/account and DIR/secret are replaced only where a cache has written them
+///   names    an entry is found by a digest: 64 hexadecimal digits that tell all that its content depends on.
+///            Of the files among that, hash_of() tells: with a key by SHA-256, else by XXH3 with the secret in
+///            DIR/secret, which is drawn once. Who cannot read the folder can make no two files that it takes
+///            for one, however many he sends
 ///   seals    it begins with a checksum of its text and of that digest, so that damage and an entry under
 ///            another's name count as none. With a key the checksum is an HMAC, so that entries of writers
 ///            without the key count as none too. Without one any writer can make any entry: the folder is then
@@ -54,6 +58,12 @@ class CacheFolder {
   ~CacheFolder();
   CacheFolder(const CacheFolder&) = delete;
   CacheFolder& operator=(const CacheFolder&) = delete;
+
+  /// What tells the bytes of a file in a digest; empty where it cannot be read.
+  ///   info     what was known of the file before its bytes were read
+  ///   sha256   gets the SHA-256 of the file where it is not null
+  std::string hash_of(const std::string& path, sys::FileInfo& info, SeenAsFile seen = SeenAsFile::no,
+                      std::string* sha256 = nullptr) const;
 
   /// The entry of that digest; none where there is none that counts.
   std::optional<CacheEntry> find(const std::string& digest);

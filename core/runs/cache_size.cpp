@@ -3,19 +3,12 @@
 #include <cerrno>
 #include <tuple>
 
-#include "core/base/files/cache_state.h"
+#include "core/runs/cache_state.h"
 
 namespace etak {
 namespace {
 
 constexpr std::uint64_t runs_between_counts = 256;
-// Another program may hold the lock of the folder for ever. Without it nothing breaks: two programs then do
-// the same work, or the account is wrong until entries are counted again.
-constexpr std::chrono::seconds most_wait_to_settle{2};
-
-bool same_time(const sys::FileInfo::Time& a, const sys::FileInfo::Time& b) {
-  return a.seconds == b.seconds && a.nanoseconds == b.nanoseconds;
-}
 
 }  // namespace
 
@@ -109,7 +102,7 @@ void CacheFolder::settle() {
   const std::lock_guard guard(s.settling);
   const std::uint64_t mine = s.added.exchange(0);
   if (!s.root || mine == 0) return;
-  const FolderLock lock(s.root.get(), most_wait_to_settle);
+  const FolderLock lock(s.root.get(), most_wait_for_lock);
   const auto text = first_bytes_of(s.root.get(), account_file);
   sys::FileInfo info;
   const bool foreign = text ? !is_account(*text) : sys::file_info_in(s.root.get(), account_file, info);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/files/cache_use.h"
+#include "core/runs/cache_use.h"
 
 #include <vector>
 
