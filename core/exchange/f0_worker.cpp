@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/pages/f0/worker.h"
+#include "core/exchange/f0_worker.h"
 
 #include <utility>
 
@@ -35,14 +35,6 @@ void state_row(const F0Job& job, F0Row& row) {
   if (!gives_f0(row.material_class)) drop_zone(row.result);
 }
 
-std::string page_source(std::string_view text, const std::string& path) {
-  try {
-    return one_line(material_from_rii_page(text, path, "page").preferred_dataset().citation);
-  } catch (const Error&) {
-    return {};  // the row says why the page cannot be used; a second message about its citation helps nobody
-  }
-}
-
 }  // namespace
 
 F0StageTimes& F0StageTimes::operator+=(const F0StageTimes& other) {
@@ -56,17 +48,6 @@ F0StageTimes& F0StageTimes::operator+=(const F0StageTimes& other) {
   return *this;
 }
 
-void F0Worker::start_lap(const F0Job& job) {
-  if (job.timed) lap_begin_ = std::chrono::steady_clock::now();
-}
-
-void F0Worker::lap(double& stage, const F0Job& job) {
-  if (!job.timed) return;
-  const auto now = std::chrono::steady_clock::now();
-  stage += std::chrono::duration<double>(now - lap_begin_).count();
-  lap_begin_ = now;
-}
-
 F0Outcome F0Worker::answer(const MaterialInput& input, const F0Job& job) {
   return with_memory_for(
       input.path, [&] { return mebibytes(text_.size()) + " of text"; },
@@ -75,98 +56,88 @@ F0Outcome F0Worker::answer(const MaterialInput& input, const F0Job& job) {
 
 F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& job) {
   if (input.kind == MaterialInput::Kind::failed) throw Error(input.path);
-  if (input.file == MaterialFileKind::page) return answer_page(input, job);
   F0Outcome out;
   out.row.path = input.label();
   if (input.kind == MaterialInput::Kind::material) {
-    if (job.tables.states())
+    if (job.materials)
+      out.material = read_material(input, job.tables);
+    else if (job.tables.states())
       answer_dataset(read_material(input, job.tables), input, job, out.row);
     else
       answer_dataset(*input.material, input, job, out.row);
     return out;
   }
-  start_lap(job);
+  Stopwatch watch(job.timed);
   read_file(input.path, text_);
   times.bytes += text_.size();
-  lap(times.read, job);
+  watch.lap(times.read);
   if (is_prose(input, text_)) {
     out.kind = F0Outcome::Kind::prose;
-    return out;
-  }
-  if (input.file == MaterialFileKind::table) {
+  } else if (input.file == MaterialFileKind::page) {
+    parse_rii_page(text_, input.path, page_);
+    watch.lap(times.parse);
+    answer_page(input, job, out);
+  } else if (job.materials) {
+    out.material = material_of_text(text_, input.path, input.file, job.tables);
+  } else if (input.file == MaterialFileKind::table) {
     const Table table = parse_table(text_, input.path, job.tables);
-    lap(times.parse, job);
-    out.row.result = job.solver.solve(table.optics, table.flags, job.timed ? &times.f0 : nullptr);
+    watch.lap(times.parse);
+    out.row.result = solve(table.optics, table.flags, job);
     state_row(job, out.row);
   } else {
     Material material = parse_material(text_, input.path);
     state(material, job.tables);
-    lap(times.parse, job);
+    watch.lap(times.parse);
     answer_dataset(material, input, job, out.row);
   }
   return out;
 }
 
-F0Outcome F0Worker::answer_page(const MaterialInput& input, const F0Job& job) {
-  const std::string& name = input.path;
-  start_lap(job);
-  read_file(input.path, text_);
-  times.bytes += text_.size();
-  lap(times.read, job);
-  parse_rii_page(text_, name, page_);
-  lap(times.parse, job);
-  F0Outcome out;
+// Answers for page_.
+void F0Worker::answer_page(const MaterialInput& input, const F0Job& job, F0Outcome& out) {
   if (page_.kind != PageKind::constants) {
+    const bool nonlinear = page_.kind == PageKind::nonlinear;
     if (!input.from_folder)
-      throw Error::at(name,
-                      page_.kind == PageKind::nonlinear ? "holds n2 data" : "holds no optical constants",
+      throw Error::at(input.path, nonlinear ? "holds n2 data" : "holds no optical constants",
                       "a page of n and k");
-    out.kind = page_.kind == PageKind::nonlinear ? F0Outcome::Kind::nonlinear : F0Outcome::Kind::other;
-    return out;
+    out.kind = nonlinear ? F0Outcome::Kind::nonlinear : F0Outcome::Kind::other;
+    return;
   }
-  out.row.path = input.label();
-  if (job.with_source) out.row.source = page_source(text_, name);
   if (page_.flags.has(Flag::computed)) out.row.kind = etak::name(Origin::computed);
-  out.without_optics = !page_.refusal.empty();
-  if (out.without_optics)
+  if (!page_.refusal.empty()) {
     out.row.result = refused(page_.refusal, page_.flags);
-  else if (job.axis_average && !is_pipe_input(input.path))
-    out.row.result = average_pages(input, job, out.row);
-  else
-    out.row.result = solve(page_.optics, page_.flags, job);
+  } else if (job.materials) {
+    out.material = material_of_page(std::move(page_), input.path, {});
+    state(*out.material, job.tables);
+    return;
+  } else {
+    if (job.with_source) out.row.source = one_line(citation_of_page(page_, input.path));
+    out.row.result = job.axis_average && !is_pipe_input(input.path) ? average_pages(input, job, out.row)
+                                                                    : solve(page_.optics, page_.flags, job);
+  }
   state_row(job, out.row);
-  return out;
-}
-
-F0Result F0Worker::solve(OpticalConstants& constants, Flags flags, const F0Job& job) {
-  // The solver takes a variant: the constants are moved into one and back, so that the next page can use the
-  // memory of their vectors.
-  Optics optics = std::move(constants);
-  F0Result result = job.solver.solve(optics, flags, job.timed ? &times.f0 : nullptr);
-  constants = std::move(std::get<OpticalConstants>(optics));
-  return result;
 }
 
 F0Result F0Worker::average_pages(const MaterialInput& input, const F0Job& job, F0Row& row) {
   const std::vector<AxisPage> axes = axis_pages(input.path);
   if (axes.empty()) return solve(page_.optics, page_.flags, job);
-  std::vector<Optics> optics(axes.size());
+  std::vector<RiiPage> others(axes.size());
   std::vector<F0Solver::Part> parts;
   Flags flags;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (sys::FileInfo info; !sys::file_info(axes[i].path, info))
-      return refused("no average over axes: " + axes[i].path.substr(input.label_at) + " is missing",
-                     page_.flags);
-    read_file(axes[i].path, text_);
-    RiiPage page;
-    parse_rii_page(text_, axes[i].path, page);
+    const std::string& path = axes[i].path;
+    RiiPage& page = path == input.path ? page_ : others[i];
+    if (&page != &page_) {
+      if (sys::FileInfo info; !sys::file_info(path, info))
+        return refused("no average over axes: " + path.substr(input.label_at) + " is missing", page_.flags);
+      read_file(path, text_);
+      parse_rii_page(text_, path, page);
+    }
     if (!page.refusal.empty() || page.kind != PageKind::constants)
-      return refused("no average over axes: " + axes[i].path.substr(input.label_at) + " has no usable n",
-                     page.flags);
-    optics[i] = std::move(page.optics);
-    parts.push_back({&optics[i], axes[i].weight});
+      return refused("no average over axes: " + path.substr(input.label_at) + " has no usable n", page.flags);
+    parts.push_back({&page.optics, axes[i].weight});
     flags |= page.flags;
-    row.dataset += (i == 0 ? "" : " + ") + axes[i].path.substr(input.path.rfind('/') + 1);
+    row.dataset += (i == 0 ? "" : " + ") + path.substr(input.path.rfind('/') + 1);
   }
   return job.solver.solve(parts, flags);
 }

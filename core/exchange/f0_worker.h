@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 
+#include "core/base/stopwatch.h"
+#include "core/exchange/f0_row.h"
 #include "core/exchange/material_input.h"
 #include "core/exchange/rii/rii_page.h"
-#include "core/material/f0.h"
-#include "core/pages/f0/report.h"
 
 namespace etak {
 
@@ -26,8 +26,9 @@ struct F0Job {
   const F0Solver& solver;
   TableOptions tables;
   bool axis_average = false;
-  bool with_source = false;  // fill in F0Row::source: pages are then parsed a second time for their citation
+  bool with_source = false;  // fill in F0Row::source
   bool timed = false;
+  bool materials = false;  // fill in F0Outcome::material in place of computing results
 };
 
 /// The result for one input.
@@ -39,8 +40,9 @@ struct F0Outcome {
     prose       // a text file of a folder that holds no table
   };
   Kind kind = Kind::answered;
-  bool without_optics = false;  // the page gives no n and is refused: it has no curves to show
   F0Row row;
+  std::optional<Material>
+      material;  // where the job asks for it; none of a page that gives no n and is refused
 };
 
 /// Computes F0 of inputs one after the other, on one thread; its buffers are used again for the next input.
@@ -49,22 +51,19 @@ class alignas(64) F0Worker {
   /// Throws Error for input that cannot be read or understood.
   F0Outcome answer(const MaterialInput& input, const F0Job& job);
 
-  /// Adds the time since the last lap to `stage`; does nothing where the job is not timed.
-  void lap(double& stage, const F0Job& job);
-  void start_lap(const F0Job& job);
-
   F0StageTimes times;
 
  private:
   F0Outcome answer_in_memory(const MaterialInput& input, const F0Job& job);
-  F0Outcome answer_page(const MaterialInput& input, const F0Job& job);
+  void answer_page(const MaterialInput& input, const F0Job& job, F0Outcome& out);
   F0Result average_pages(const MaterialInput& input, const F0Job& job, F0Row& row);
   void answer_dataset(const Material& material, const MaterialInput& input, const F0Job& job, F0Row& row);
-  F0Result solve(OpticalConstants& constants, Flags flags, const F0Job& job);
+  F0Result solve(const Optics& optics, Flags flags, const F0Job& job) {
+    return job.solver.solve(optics, flags, job.timed ? &times.f0 : nullptr);
+  }
 
   std::string text_;
   RiiPage page_;
-  std::chrono::steady_clock::time_point lap_begin_;
 };
 
 }  // namespace etak
