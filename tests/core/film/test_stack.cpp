@@ -77,7 +77,7 @@ void near(double value, double expected, double most) {
   CHECK(std::abs(value - expected) <= most);
 }
 
-class Random {
+class RandomMedia {
  public:
   double operator()(double from, double to) { return std::uniform_real_distribution(from, to)(engine_); }
   FilmMedium clear() { return {(*this)(1, 3), 0}; }
@@ -104,7 +104,7 @@ TEST_CASE("reflectances and transmittances of films are those of 60 digits") {
 }
 
 TEST_CASE("what a film of clear layers does not reflect it lets pass, thick panes among them") {
-  Random random;
+  RandomMedia random;
   for (int i = 0; i < 3000; ++i) {
     Film film{random(1, 1.6), {}, random.clear()};
     for (int layers = i % 9; layers > 0; --layers)
@@ -116,7 +116,7 @@ TEST_CASE("what a film of clear layers does not reflect it lets pass, thick pane
 }
 
 TEST_CASE("no layer, layers of no thickness, of the outside medium and of the base leave the bare surface") {
-  Random random;
+  RandomMedia random;
   for (int i = 0; i < 200; ++i) {
     const FilmMedium base = random.any();
     const double cosine = random(0.01, 1), exact = f64::fresnel_exact(base.n, base.k, cosine);
@@ -131,7 +131,7 @@ TEST_CASE("no layer, layers of no thickness, of the outside medium and of the ba
 }
 
 TEST_CASE("an opaque layer hides what lies below, and two layers alike are one") {
-  Random random;
+  RandomMedia random;
   for (int i = 0; i < 200; ++i) {
     const double cosine = random(0.05, 1), first = random(0, 200), second = random(0, 200);
     const FilmMedium metal{random(0.1, 3), random(3, 8)}, medium = random.any(), base = random.any();
@@ -186,7 +186,7 @@ TEST_CASE("grazing light is all reflected") {
 }
 
 TEST_CASE("spectra in vector lanes have the reflectances of single wavelengths") {
-  Random random;
+  RandomMedia random;
   constexpr std::size_t count = 471;
   for (int i = 0; i < 60; ++i) {
     const double cosine = i % 3 == 0 ? 1 : random(0.001, 1);
