@@ -97,7 +97,7 @@ class PlainFormatter : public CLI::Formatter {
                    0, columns_of(sys::standard_output));
   }
 
-  // As the parser does, and no line longer than the terminal's.
+  // An option as the parser shows it, in lines that fit the terminal.
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     const std::string name = "  " + make_option_name(option, is_positional) + make_option_opts(option);
     const std::size_t indent = get_column_width();

@@ -59,7 +59,7 @@ class CacheFolder {
   CacheFolder(const CacheFolder&) = delete;
   CacheFolder& operator=(const CacheFolder&) = delete;
 
-  /// What tells the bytes of a file in a digest; empty where it cannot be read.
+  /// The hash that stands for the bytes of a file in a digest; empty where the file cannot be read.
   ///   info     what was known of the file before its bytes were read
   ///   sha256   gets the SHA-256 of the file where it is not null
   std::string hash_of(const std::string& path, sys::FileInfo& info, SeenAsFile seen = SeenAsFile::no,
@@ -67,7 +67,7 @@ class CacheFolder {
 
   /// The entry of that digest; none where there is none that counts.
   std::optional<CacheEntry> find(const std::string& digest);
-  /// The same for an entry that only leads to another one: it is neither a hit nor a miss. count_miss() counts
+  /// The entry of that digest where it only leads to another one: it is neither a hit nor a miss. count_miss() counts
   /// where the other one is not looked up after all.
   std::optional<CacheEntry> find_part(const std::string& digest);
   void count_miss();
@@ -101,7 +101,7 @@ class CacheFolder {
   /// the same.
   void settle();
 
-  /// What was done so far, settled.
+  /// The numbers of the work so far, settled.
   CacheUse use();
 
   /// For the sources of this class.

@@ -33,7 +33,7 @@ inline constexpr std::chrono::seconds most_wait_for_lock{2};
 // Most entries are not larger, and are read by one call.
 inline constexpr std::size_t usual_entry = std::size_t{16} << 10;
 
-// What a file of so many bytes takes on a disk.
+// The room that a file of so many bytes takes on a disk.
 inline std::uint64_t in_blocks(std::uint64_t bytes) {
   constexpr std::uint64_t disk_block = 4096;
   return (bytes + disk_block - 1) / disk_block * disk_block;
@@ -88,7 +88,7 @@ std::optional<std::string> first_bytes_of(int folder, const std::string& name);
 // Whether the text of DIR/account was written by a cache, or is what a power cut leaves of one.
 bool is_account(std::string_view text);
 
-// What DIR/account tells: the bytes of all entries, and how many runs have added to them.
+// The numbers of DIR/account: the bytes of all entries, and how many runs have added to them.
 struct CacheAccount {
   std::uint64_t bytes = 0, runs = 0;
 };

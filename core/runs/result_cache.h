@@ -47,7 +47,7 @@ class ResultCache {
   std::string settings_;
 };
 
-/// What is known of files, to be asked before they are read.
+/// The facts that the system knows of files, to be asked before they are read.
 std::vector<sys::FileInfo> look_at(const std::vector<std::string>& paths);
 
 /// Whether the files are what they were: device, inode, size and times, which change when a file is written.

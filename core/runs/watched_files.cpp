@@ -61,7 +61,7 @@ WatchedFiles::Stamps WatchedFiles::look() const {
       if (is_folder && (!deep || left_out_.contains(path) || it->is_symlink(gone)))
         it.disable_recursion_pending();
       if (left_out_.contains(path) || is_temporary(sys::path_text(it->path().filename()))) continue;
-      // Of a folder only that it is there: its time changes with the files that are left out.
+      // A folder counts by its presence alone: its time changes with the files that are left out.
       found.emplace(path, is_folder ? FileStamp{} : stamp_of(path));
     }
   }

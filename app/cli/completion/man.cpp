@@ -102,7 +102,7 @@ Told told_by(std::string_view document) {
   return out;
 }
 
-// The same for all verbs: what of the environment etak reads, and its files.
+// The sections of every page that tell what of the environment etak reads, and its files.
 constexpr std::string_view environment_and_files =
     ".SH ENVIRONMENT\n"
     ".TP\n\\fBETAK_LIBRARY\\fR\na folder of materials that is laid over the library, as \\-\\-library does\n"

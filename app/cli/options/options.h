@@ -25,7 +25,7 @@ class Library {
   std::vector<std::string> folders;  // of --library
 
   const MaterialLibrary& get();
-  /// Those of ETAK_LIBRARY and of --library.
+  /// The folders of ETAK_LIBRARY and of --library.
   std::vector<std::string> all_folders() const;
   /// The next get() reads the folders again.
   void forget() { library_.reset(); }
@@ -43,7 +43,7 @@ void add_class_option(Command verb, std::vector<std::string>& classes, const std
 
 /// Adds the options that say how F0 is computed: those of the spectrum, and of the colour space.
 void add_compute_options(Command verb, F0Settings& settings);
-/// Those of the spectrum alone.
+/// Adds the options of the spectrum alone.
 void add_solver_options(Command verb, F0Settings& settings);
 /// The options of the line as values. Throws Error that names the option and what it takes.
 F0Options f0_options(const F0Settings& settings, Library& library);

@@ -140,7 +140,7 @@ void tell_held_gloss(const Scene& scene, SceneNotes& notes) {
 
 namespace {
 
-// What users of area lights ought to know of the model.
+// Adds remarks on how far area lights fit the model.
 void tell_areas(const Scene& scene, std::vector<std::string>& remarks) {
   const bool any = std::ranges::any_of(scene.lights.lights, [](const Light& l) { return is_area(l.kind); });
   if (!any || scene.specular == nullptr) return;

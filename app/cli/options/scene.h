@@ -41,7 +41,7 @@ void add_scene_options(Command verb, SceneArguments& arguments);
 /// Reads the textures, if that has not been done. Throws Error that names the file.
 void read_textures(SceneArguments& arguments);
 
-/// Those of them that say what the surface is made of: SUBJECT, --dataset, --set, --diffuse, the roughness, and
+/// Adds the options that say what the surface is made of: SUBJECT, --dataset, --set, --diffuse, the roughness, and
 /// how F0 is computed.
 void add_subject_options(Command verb, SceneArguments& arguments);
 
@@ -75,7 +75,7 @@ SubjectMaterial subject_material(SceneArguments& arguments, SceneNotes& notes);
 /// The surface that the subject names or gives in numbers. Throws Error.
 SurfaceValues subject_surface(SceneArguments& arguments, SceneNotes& notes);
 
-/// What the options ask of a material's surface.
+/// The wishes for a material's surface that the options hold.
 SurfaceWishes surface_wishes(const SceneArguments& arguments);
 
 /// Chooses the models of a scene and their values. `set` may change the colours and the gloss of the surface

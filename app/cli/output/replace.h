@@ -17,7 +17,7 @@ bool may_replace(bool force);
 /// Throws Error where the file of an output is one of those that the line names to be read, or of `more`.
 void refuse_input(const std::string& file, std::span<const std::string> more = {});
 
-/// The same where --force is not given, and who says so.
+/// Whether outputs may replace existing files where --force is not given, and who says so.
 struct ReplaceDefault {
   bool replace = false;
   std::string from;

@@ -29,7 +29,7 @@ void refuse_what_does_not_go(const ValidateArguments& a) {
                       "files and folders");
 }
 
-// What the next run would read, and what this program writes itself.
+// Adds the files that the next run would read, and leaves out those that this program writes itself.
 void watch_inputs(const ValidateArguments& a, WatchedFiles& watched) {
   watched.clear();
   for (const std::string& path : a.paths) {
@@ -40,7 +40,7 @@ void watch_inputs(const ValidateArguments& a, WatchedFiles& watched) {
     else
       watched.add_folder(sys::path_text(whole.parent_path()), false);
   }
-  // Those of a list, and those that scenes and layouts name, may lie anywhere.
+  // The files of a list, and those that scenes and layouts name, may lie anywhere.
   for (const std::string& file : a.before->files()) watched.add_file(file);
   for (const std::string& file :
        {a.files_from, a.baseline, config_of(a.settings, a.paths.empty() ? "" : a.paths.front())})
@@ -58,7 +58,7 @@ int watch_files(ValidateArguments& a) {
   WatchedFiles watched;
   for (bool first = true;; first = false) {
     watch_inputs(a, watched);
-    // What changes while the files are checked is seen by the next call.
+    // A change while the files are checked is seen by the next call.
     watched.wait_for_change();
     a.library.forget();
     try {
@@ -68,7 +68,7 @@ int watch_files(ValidateArguments& a) {
       if (first) throw;
       complain(error.what());  // the user may correct the input, so the watch goes on
     }
-    // What the first run was allowed to write is this program's own.
+    // The files that the first run was allowed to write are this program's own.
     a.output.force = true;
   }
 }

@@ -131,7 +131,7 @@ bool shows_notes(const ExportArguments& arguments) {
           (table && is_standard_output(output) && sys::is_terminal(sys::standard_output)));
 }
 
-// Likewise what a target does not hold, where the form of the output has no place for it.
+// Writes to standard error what a target does not hold, where the form of the output has no place for it.
 void tell_changes(const ExportArguments& arguments, const ExportSurface& surface, const Changes& changes) {
   for (const Change& change : changes) remark(arguments.output, surface.id + ": " + one_line(change));
 }
