@@ -46,6 +46,14 @@ struct AllowanceUse {
   std::optional<Finding> unused;
 };
 
+template <class To, MembersOf<AllowanceUse> Value>
+void members(To& to, Value& use) {
+  to.member("used", use.used);
+  to.member("met", use.met);
+  to.member("anyhow", use.anyhow);
+  to.member("unused", use.unused);
+}
+
 /// Marks what the entries allow, and tells of each entry what became of it. ETK001 and the 9xx rules cannot be
 /// allowed: a file that was not looked at is never clean.
 std::vector<AllowanceUse> mark_allowed(ValidationReport& report, std::span<const AllowEntry> entries,

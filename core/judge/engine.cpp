@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/judge/check_pictures.h"
+#include "core/judge/pixels/flood.h"
 #include "core/judge/pixels/pixel_pass.h"
 #include "core/judge/pixels/plan.h"
 #include "core/judge/rule_check.h"
@@ -67,29 +68,18 @@ void fill_evidence(std::optional<PictureEvidence>& picture, const RowSource* sou
 
 // Plateau texels (2) in 8-connected groups of fewer than `least` become transition (1).
 void demote_small_groups(Image8& marks, const PixelBox& box, std::size_t least) {
-  std::vector<std::array<int, 2>> group;
+  std::vector<char> seen(marks.values.size());
   for (int y = box.y; y < box.y + box.height; ++y)
     for (int x = box.x; x < box.x + box.width; ++x) {
-      if (marks.at(x, y)[0] != 2) continue;
-      group.assign(1, {x, y});
-      marks.at(x, y)[0] = 3;  // visited
-      for (std::size_t next = 0; next < group.size(); ++next) {
-        const auto [u, v] = group[next];
-        for (int dy = -1; dy <= 1; ++dy)
-          for (int dx = -1; dx <= 1; ++dx) {
-            const int s = u + dx, t = v + dy;
-            if (s < box.x || t < box.y || s >= box.x + box.width || t >= box.y + box.height) continue;
-            if (marks.at(s, t)[0] != 2) continue;
-            marks.at(s, t)[0] = 3;
-            group.push_back({s, t});
-          }
-      }
+      const std::size_t first =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(marks.width) + static_cast<std::size_t>(x);
+      if (seen[first] != 0 || marks.values[first] != 2) continue;
+      seen[first] = 1;
+      std::vector<std::size_t> group{first};
+      flood(box, marks.width, seen, group, [&](std::size_t i) { return marks.values[i] == 2; });
       if (group.size() < least)
-        for (const auto& [u, v] : group) marks.at(u, v)[0] = 1;
+        for (const std::size_t i : group) marks.values[i] = 1;
     }
-  for (int y = box.y; y < box.y + box.height; ++y)
-    for (int x = box.x; x < box.x + box.width; ++x)
-      if (marks.at(x, y)[0] == 3) marks.at(x, y)[0] = 2;
 }
 
 }  // namespace
@@ -134,7 +124,7 @@ CheckedFile checked_file_of(const CheckTarget& target) {
   file.path = target.own_label();
   for (const TargetFile& part : target.files) {
     if (part.label != file.path) file.companions.push_back(part.label);
-    file.roles.emplace_back(part.label, name(part.role));
+    file.roles.push_back({part.label, std::string(name(part.role))});
   }
   return file;
 }

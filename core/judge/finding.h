@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/members.h"
 #include "core/image/pixels_view.h"
 
 namespace etak {
@@ -18,6 +19,9 @@ namespace etak {
 enum class Severity { off, info, warning, error };
 std::string_view name(Severity severity);  // "off", "info", "warning", "error"
 std::optional<Severity> severity_named(std::string_view text);
+constexpr Severity last_of(Severity) {
+  return Severity::error;
+}
 
 /// A material of the library, and its distance from a colour.
 struct NearestMaterial {
@@ -80,14 +84,20 @@ struct CheckStats {
 
 struct CheckTarget;
 
+/// A file, relative, and the name of its role.
+struct RoleOfFile {
+  std::string file, role;
+  friend bool operator==(const RoleOfFile&, const RoleOfFile&) = default;
+};
+
 /// One checked file, or one pair or set of files that belong together.
 struct CheckedFile {
   std::string path;                     // relative
   std::vector<std::string> companions;  // other files of the set, relative
   std::string sha256;
   int width = 0, height = 0;
-  std::vector<std::pair<std::string, std::string>> roles;  // file -> role
-  std::vector<Finding> findings;                           // in the order of rule, tile, box
+  std::vector<RoleOfFile> roles;
+  std::vector<Finding> findings;  // in the order of rule, tile, box
   std::size_t plateau_px = 0, transition_px = 0;
   bool unreadable = false;  // exit status 2
   // Exact texel counts of the byte pass, in a fixed order: "forbidden_any_channel_px", "gloss_min", ...
@@ -102,5 +112,87 @@ struct CheckedFile {
   /// The target that a finding is about: in a UDIM set that of its tile.
   const CheckTarget& target_of(const Finding& finding) const;
 };
+
+// These values as caches, shards, etak's JSON and the Python module have them (base/members.h). A new member of a
+// finding needs a line here, one in validation.schema.json, and one in app/python/etak/documents.py.
+
+template <class To, MembersOf<PixelBox> Value>
+void members(To& to, Value& box) {
+  to.member("x", box.x);
+  to.member("y", box.y);
+  to.member("width", box.width);
+  to.member("height", box.height);
+}
+
+template <class To, MembersOf<NearestMaterial> Value>
+void members(To& to, Value& near) {
+  to.member("name", near.id);
+  to.member("dataset", near.dataset);
+  to.member("bytes", near.bytes);
+}
+
+template <class To, MembersOf<FindingIsland> Value>
+void members(To& to, Value& island) {
+  to.member("tile", island.tile);
+  to.member("bbox", island.box);
+  to.member("areaPx", island.area_px);
+  to.member("uv", island.uv, Said::where_there);
+}
+
+template <class To, MembersOf<Finding> Value>
+void members(To& to, Value& finding) {
+  to.member("id", finding.rule);
+  to.member("slug", finding.slug);
+  to.member("severity", finding.severity);
+  to.member("file", finding.file, Said::as_label);
+  to.member("message", finding.message);
+  to.member("tile", finding.tile);
+  to.member("material", finding.material);
+  to.member("pointer", finding.pointer);
+  to.member("bbox", finding.box);
+  to.member("islands", finding.islands, Said::where_there);
+  to.member("uv", finding.uv, Said::where_there);
+  to.member("areaPx", finding.area_px);
+  to.member("areaShare", finding.area_share);
+  to.object("value", finding.linear || finding.byte || finding.luminance, [&](auto& colour) {
+    colour.member("linear", finding.linear);
+    colour.member("byte", finding.byte);
+    colour.member("Y", finding.luminance);
+  });
+  to.member("found", finding.value);
+  to.member("limit", finding.limit);
+  to.member("nearest", finding.nearest);
+  to.member("cause", finding.cause);
+  to.member("fix", finding.fix);
+  to.member("source", finding.source);
+  to.member("suppressed", finding.suppressed);
+  to.member("suppression", finding.suppression);
+  to.member("baseline", finding.baseline);
+}
+
+template <class To, MembersOf<RoleOfFile> Value>
+void members(To& to, Value& role) {
+  to.member("file", role.file, Said::as_label);
+  to.member("role", role.role);
+}
+
+template <class To, MembersOf<CheckedFile> Value>
+void members(To& to, Value& file) {
+  to.member("path", file.path, Said::as_label);
+  to.member("companions", file.companions, Said::as_label);
+  to.member("sha256", file.sha256, Said::or_null);
+  to.member("width", file.width);
+  to.member("height", file.height);
+  to.member("unreadable", file.unreadable);
+  to.member("roles", file.roles);
+  to.member("findings", file.findings);
+  to.object("stats", true, [&](auto& stats) {
+    stats.member("plateauPx", file.plateau_px);
+    stats.member("transitionPx", file.transition_px);
+    stats.member("counts", file.counts);
+  });
+  to.member("place", file.place, Said::in_shard);
+  to.member("udim", file.is_set, Said::in_shard);
+}
 
 }  // namespace etak

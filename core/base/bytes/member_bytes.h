@@ -14,11 +14,13 @@
 #include <vector>
 
 #include "core/base/bytes/bytes_le.h"
+#include "core/base/members.h"
 
 // Structs as bytes and back: each member in a fixed order, numbers in eight bytes, texts and lists with their
 // length before them, and a byte before what may be missing. A small struct is read in a microsecond or two,
-// where JSON takes ten times as long. A struct takes part by a function members(to, value), found beside it,
-// that hands each of its members to to.member(); it serves both directions.
+// where JSON takes ten times as long. A struct takes part by a function members(to, value) (members.h); it serves
+// both directions. An enumeration takes part by a function last_of(value), found beside it, that gives the last of
+// its values, which begin at 0.
 
 namespace etak {
 
@@ -61,6 +63,15 @@ class MemberWriter {
       number(static_cast<std::uint64_t>(value));
     else
       members(*this, value);
+  }
+
+  template <class Value>
+  void member(std::string_view, const Value& value, Said = Said::always) {
+    member(value);
+  }
+  template <class Act>
+  void object(std::string_view, bool, Act act) {
+    act(*this);
   }
 
  private:
@@ -121,14 +132,21 @@ class MemberReader {
   }
   template <class Value>
   void member(Value& value) {
-    members(*this, value);
+    if constexpr (requires { last_of(value); }) {
+      const std::uint64_t read = number();
+      if (read > static_cast<std::uint64_t>(last_of(value))) return fail();
+      value = static_cast<Value>(read);
+    } else {
+      members(*this, value);
+    }
   }
-  /// An enumeration whose values go from 0 to `last`.
   template <class Value>
-  void member_up_to(Value& value, Value last) {
-    const std::uint64_t read = number();
-    if (read > static_cast<std::uint64_t>(last)) return fail();
-    value = static_cast<Value>(read);
+  void member(std::string_view, Value& value, Said = Said::always) {
+    member(value);
+  }
+  template <class Act>
+  void object(std::string_view, bool, Act act) {
+    act(*this);
   }
 
  private:

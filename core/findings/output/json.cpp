@@ -2,6 +2,7 @@
 // The JSON form, as resources/schema/validation.schema.json describes it.
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "core/base/error.h"
 #include "core/base/hash/sha256.h"
@@ -26,101 +27,100 @@ struct Reader {
   }
 };
 
-// JSON has no form of infinity and NaN: they are null, and words for readers that know of them.
-Json number_json(double value, const Reader& reader) {
-  if (std::isfinite(value)) return value;
-  if (!reader.in_shard && reader.typed == nullptr) return nullptr;
-  return (std::signbit(value) ? "-" : "") + std::string(std::isnan(value) ? "nan" : "inf");
-}
-
-Json value_json(const Finding& finding, const Reader& reader) {
-  if (!finding.linear && !finding.byte && !finding.luminance) return nullptr;
-  Json out = {{"linear", nullptr}, {"byte", nullptr}, {"Y", nullptr}};
-  if (finding.linear)
-    for (const double value : *finding.linear) out["linear"].push_back(number_json(value, reader));
-  if (finding.byte) out["byte"] = *finding.byte;
-  if (finding.luminance) out["Y"] = number_json(*finding.luminance, reader);
-  return out;
-}
-
-Json box_json(const std::optional<PixelBox>& box) {
-  return box ? Json::array({box->x, box->y, box->width, box->height}) : Json(nullptr);
-}
-
-Json uv_json(const UvBox& uv) {
-  return Json::array({uv[0], uv[1], uv[2], uv[3]});
-}
-
-Json island_json(const FindingIsland& island) {
-  Json out = {{"tile", island.tile}, {"bbox", box_json(island.box)}, {"areaPx", island.area_px}};
-  if (island.uv) out["uv"] = uv_json(*island.uv);
-  return out;
-}
-
-Json finding_json(const Finding& finding, const Reader& reader) {
-  Json out = Json::object();
-  out["id"] = finding.rule;
-  out["slug"] = finding.slug;
-  out["severity"] = name(finding.severity);
-  out["file"] = reader.shown(finding.file);
-  out["message"] = finding.message;
-  out["tile"] = finding.tile;
-  out["material"] = finding.material;
-  out["pointer"] = finding.pointer;
-  out["bbox"] = box_json(finding.box);
-  if (!finding.islands.empty()) {
-    out["islands"] = Json::array();
-    for (const FindingIsland& island : finding.islands) out["islands"].push_back(island_json(island));
-  }
-  if (finding.uv) out["uv"] = uv_json(*finding.uv);
-  out["areaPx"] = finding.area_px;
-  out["areaShare"] = finding.area_share;
-  out["value"] = value_json(finding, reader);
-  out["found"] = finding.value;
-  out["limit"] = finding.limit;
-  out["nearest"] = Json::array();
-  for (const NearestMaterial& near : finding.nearest)
-    out["nearest"].push_back({{"name", near.id}, {"dataset", near.dataset}, {"bytes", near.bytes}});
-  out["cause"] = finding.cause;
-  out["fix"] = finding.fix;
-  out["source"] = finding.source;
-  out["suppressed"] = finding.suppressed;
-  out["suppression"] = finding.suppression;
-  out["baseline"] = finding.baseline;
-  if (reader.typed == nullptr) return out;
-  out["place"] = place_of(finding, reader.shown(finding.file));
-  out["sentence"] = sentence_of(finding);
-  return out;
-}
-
 Json names_json(const std::vector<std::string>& labels, const Reader& reader) {
   Json out = Json::array();
   for (const std::string& label : labels) out.push_back(reader.shown(label));
   return out;
 }
 
-Json file_json(const CheckedFile& file, const Reader& reader) {
+// Writes the members of a struct as an object.
+class JsonWriter {
+ public:
+  explicit JsonWriter(const Reader& reader) : reader_(reader) {}
+
   Json out = Json::object();
-  out["path"] = reader.shown(file.path);
-  out["companions"] = names_json(file.companions, reader);
-  out["sha256"] = file.sha256.empty() ? Json(nullptr) : Json(file.sha256);
-  out["width"] = file.width;
-  out["height"] = file.height;
-  out["unreadable"] = file.unreadable;
-  out["roles"] = Json::array();
-  for (const auto& [path, role] : file.roles)
-    out["roles"].push_back({{"file", reader.shown(path)}, {"role", role}});
-  out["findings"] = Json::array();
-  for (const Finding& finding : file.findings) out["findings"].push_back(finding_json(finding, reader));
-  Json pixel_counts = Json::object();
-  for (const auto& [key, count] : file.counts) pixel_counts[key] = count;
-  out["stats"] = {{"plateauPx", file.plateau_px},
-                  {"transitionPx", file.transition_px},
-                  {"counts", std::move(pixel_counts)}};
-  if (!reader.in_shard) return out;
-  out["place"] = file.place;
-  if (file.is_set) out["udim"] = true;
-  return out;
+
+  template <class Value>
+  void member(const char* name, const Value& value, Said said = Said::always) {
+    const bool empty = value == Value();
+    if (said == Said::in_shard && (!reader_.in_shard || (empty && std::is_same_v<Value, bool>))) return;
+    if (said == Said::where_there && empty) return;
+    out[name] = said == Said::or_null && empty ? Json(nullptr)
+                : said == Said::as_label       ? label(value)
+                                               : json(value);
+  }
+  template <class Act>
+  void object(const char* name, bool there, Act act) {
+    JsonWriter inner(reader_);
+    if (there) act(inner);
+    out[name] = there ? std::move(inner.out) : Json(nullptr);
+  }
+
+  template <class Value>
+  Json json(const Value& value) const {
+    if constexpr (std::is_class_v<Value> && !std::is_same_v<Value, std::string>) {
+      JsonWriter inner(reader_);
+      members(inner, value);
+      return std::move(inner.out);
+    } else {
+      return value;
+    }
+  }
+  Json json(Severity severity) const { return name(severity); }
+  Json json(const PixelBox& box) const { return Json::array({box.x, box.y, box.width, box.height}); }
+  // JSON has no form of infinity and NaN: they are null, and words for readers that know of them.
+  Json json(double value) const {
+    if (std::isfinite(value)) return value;
+    if (!reader_.in_shard && reader_.typed == nullptr) return nullptr;
+    return (std::signbit(value) ? "-" : "") + std::string(std::isnan(value) ? "nan" : "inf");
+  }
+  Json json(const std::vector<std::pair<std::string, std::int64_t>>& counts) const {
+    Json all = Json::object();
+    for (const auto& [name, count] : counts) all[name] = count;
+    return all;
+  }
+  template <class Value>
+  Json json(const std::optional<Value>& value) const {
+    return value ? json(*value) : Json(nullptr);
+  }
+  template <class Value, std::size_t count>
+  Json json(const std::array<Value, count>& values) const {
+    return list(values);
+  }
+  template <class Value>
+  Json json(const std::vector<Value>& values) const {
+    return list(values);
+  }
+  // What a program that has called is told of a finding besides.
+  Json json(const Finding& finding) const {
+    JsonWriter inner(reader_);
+    members(inner, finding);
+    if (reader_.typed != nullptr) {
+      inner.out["place"] = place_of(finding, reader_.shown(finding.file));
+      inner.out["sentence"] = sentence_of(finding);
+    }
+    return std::move(inner.out);
+  }
+
+ private:
+  template <class Values>
+  Json list(const Values& values) const {
+    Json all = Json::array();
+    for (const auto& value : values) all.push_back(json(value));
+    return all;
+  }
+  Json label(const std::string& name) const { return reader_.shown(name); }
+  Json label(const std::vector<std::string>& names) const { return names_json(names, reader_); }
+  template <class Value>
+  Json label(const Value& value) const {
+    return json(value);
+  }
+
+  const Reader& reader_;
+};
+
+Json file_json(const CheckedFile& file, const Reader& reader) {
+  return JsonWriter(reader).json(file);
 }
 
 // The member that holds the SHA-256 of a shard's document, with zeros while that is computed.
@@ -154,13 +154,8 @@ Json shard_json(const ValidationReport& report) {
                {{"never", verdict.never_fails},
                 {"exitZero", verdict.exit_zero},
                 {"maxWarnings", verdict.max_warnings ? Json(*verdict.max_warnings) : Json(nullptr)},
-                {"minSeverity", verdict.min_severity}}},
-              {"allowances", Json::array()}};
-  for (const AllowanceUse& use : shard.allowances)
-    out["allowances"].push_back({{"used", use.used},
-                                 {"met", use.met},
-                                 {"anyhow", use.anyhow},
-                                 {"unused", use.unused ? finding_json(*use.unused, {true}) : Json(nullptr)}});
+                {"minSeverity", verdict.min_severity}}}};
+  out["allowances"] = JsonWriter({true}).json(shard.allowances);
   if (shard.shard.index > 1) return out;
   out["notOpened"] = report.not_opened;
   out["folders"] = report.typed;

@@ -69,7 +69,7 @@ ReportCounts count_files(const ValidationReport& report) {
   for (const CheckedFile& file : report.files) {
     // The configuration may have findings of its own (ETK903), but is none of the files that were to be
     // checked.
-    const bool is_config = !file.roles.empty() && file.roles.front().second == "config";
+    const bool is_config = !file.roles.empty() && file.roles.front().role == "config";
     const std::size_t own = file.is_set ? 0 : 1;
     const std::size_t members = is_config ? 0 : own + file.companions.size();
     out.files += members;

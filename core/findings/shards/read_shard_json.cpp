@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <type_traits>
 
 #include "core/base/json/node_json.h"
 #include "core/findings/output/formats.h"
@@ -41,12 +42,6 @@ std::string digest(const JsonNode& node, std::size_t digits) {
   return out;
 }
 
-template <class Read>
-auto maybe(const JsonNode& node, Read read) -> std::optional<decltype(read(node))> {
-  if (node.value.is_null()) return std::nullopt;
-  return read(node);
-}
-
 // A number that JSON may have no form of.
 double exact_number(const JsonNode& node) {
   constexpr double inf = std::numeric_limits<double>::infinity(),
@@ -57,87 +52,90 @@ double exact_number(const JsonNode& node) {
   node.fail_type("a number, inf, -inf, nan or -nan");
 }
 
-PixelBox read_box(const JsonNode& node) {
-  const auto sides = node.each_of<4>(side, "4 values");
-  return {sides[0], sides[1], sides[2], sides[3]};
-}
+// Reads what output/json.cpp writes in a shard.
+class JsonReader {
+ public:
+  explicit JsonReader(const JsonNode& node) : node_(node) {}
 
-UvBox read_uv(const JsonNode& node) {
-  return node.each_of<4>(&JsonNode::number, "4 values");
-}
-
-FindingIsland read_island(const JsonNode& node) {
-  FindingIsland out{node.at("tile").text(), maybe(node.at("bbox"), read_box), whole(node.at("areaPx"))};
-  if (node.has("uv")) out.uv = read_uv(node.at("uv"));
-  return out;
-}
-
-Finding read_finding(const JsonNode& node) {
-  const Rule* const rule = find_rule(node.at("id").text());
-  if (rule == nullptr) node.at("id").fail_type("the id of a rule");
-  Finding out = finding_of(*rule, severity_at(node.at("severity")));
-  for (const auto& [key, text] : {std::pair{"file", &out.file},
-                                  {"message", &out.message},
-                                  {"tile", &out.tile},
-                                  {"material", &out.material},
-                                  {"pointer", &out.pointer},
-                                  {"found", &out.value},
-                                  {"limit", &out.limit},
-                                  {"cause", &out.cause},
-                                  {"fix", &out.fix},
-                                  {"source", &out.source},
-                                  {"suppression", &out.suppression}})
-    *text = node.at(key).text();
-  out.box = maybe(node.at("bbox"), read_box);
-  if (node.has("islands")) out.islands = node.at("islands").each(read_island);
-  if (node.has("uv")) out.uv = read_uv(node.at("uv"));
-  out.area_px = whole(node.at("areaPx"));
-  out.area_share = node.at("areaShare").number();
-  if (const JsonNode value = node.at("value"); !value.value.is_null()) {
-    out.linear = maybe(value.at("linear"),
-                       [](const JsonNode& rgb) { return rgb.each_of<3>(exact_number, "3 values"); });
-    out.byte = maybe(value.at("byte"), [](const JsonNode& rgb) {
-      return rgb.each_of<3>([](const JsonNode& code) { return code.integer(); }, "3 values");
-    });
-    out.luminance = maybe(value.at("Y"), exact_number);
+  template <class Value>
+  void member(const char* name, Value& value, Said said = Said::always) {
+    const bool may_miss =
+        said == Said::where_there || (said == Said::in_shard && std::is_same_v<Value, bool>);
+    if (may_miss && !node_.has(name)) return;
+    if (said != Said::or_null || !node_.at(name).value.is_null()) read(node_.at(name), value);
   }
-  out.nearest = node.at("nearest").each([](const JsonNode& near) {
-    return NearestMaterial{near.at("name").text(), near.at("dataset").text(), near.at("bytes").number()};
-  });
-  out.suppressed = node.at("suppressed").boolean();
-  out.baseline = node.at("baseline").boolean();
-  return out;
-}
+  template <class Act>
+  void object(const char* name, bool, Act act) {
+    const JsonNode at = node_.at(name);
+    JsonReader inner(at);
+    if (!at.value.is_null()) act(inner);
+  }
 
-CheckedFile read_checked(const JsonNode& node) {
-  CheckedFile out;
-  out.path = node.at("path").text();
-  out.companions = node.at("companions").texts();
-  out.sha256 = maybe(node.at("sha256"), [](const JsonNode& hash) { return digest(hash, 64); }).value_or("");
-  out.width = side(node.at("width"));
-  out.height = side(node.at("height"));
-  out.unreadable = node.at("unreadable").boolean();
-  out.roles = node.at("roles").each([](const JsonNode& row) {
-    const std::string role = row.at("role").text();
-    if (role != "config" && !role_named(role) && !picture_role_named(role))
-      row.at("role").fail_type("a role of a file");
-    return std::pair(row.at("file").text(), role);
-  });
-  out.findings = node.at("findings").each(read_finding);
-  const JsonNode stats = node.at("stats"), counts = stats.at("counts");
-  out.plateau_px = whole(stats.at("plateauPx"));
-  out.transition_px = whole(stats.at("transitionPx"));
-  for (const std::string_view name : count_names)
-    if (counts.has(name)) out.counts.emplace_back(name, static_cast<std::int64_t>(whole(counts.at(name))));
-  out.place = whole(node.at("place"));
-  out.is_set = node.has("udim");
-  return out;
-}
+  template <class Value>
+  static void read(const JsonNode& node, Value& value) {
+    JsonReader reader(node);
+    members(reader, value);
+    check(node, value);
+  }
+  static void read(const JsonNode& node, std::string& text) { text = node.text(); }
+  static void read(const JsonNode& node, bool& value) { value = node.boolean(); }
+  static void read(const JsonNode& node, int& value) { value = side(node); }
+  static void read(const JsonNode& node, std::size_t& value) { value = whole(node); }
+  static void read(const JsonNode& node, double& value) { value = exact_number(node); }
+  static void read(const JsonNode& node, Severity& value) { value = severity_at(node); }
+  static void read(const JsonNode& node, PixelBox& box) {
+    std::array<int, 4> sides{};
+    read(node, sides);
+    box = {sides[0], sides[1], sides[2], sides[3]};
+  }
+  static void read(const JsonNode& node, std::vector<std::pair<std::string, std::int64_t>>& counts) {
+    for (const std::string_view name : count_names)
+      if (node.has(name)) counts.emplace_back(name, static_cast<std::int64_t>(whole(node.at(name))));
+  }
+  template <class Value>
+  static void read(const JsonNode& node, std::optional<Value>& value) {
+    if (!node.value.is_null()) read(node, value.emplace());
+  }
+  template <class Value, std::size_t count>
+  static void read(const JsonNode& node, std::array<Value, count>& values) {
+    values = node.each_of<count>(&read_one<Value>, std::to_string(count) + " values");
+  }
+  template <class Value>
+  static void read(const JsonNode& node, std::vector<Value>& values) {
+    values = node.each(&read_one<Value>);
+  }
+  template <class Value>
+  static Value read_one(const JsonNode& node) {
+    Value out{};
+    read(node, out);
+    return out;
+  }
 
-AllowanceUse read_allowance(const JsonNode& node) {
-  return {node.at("used").boolean(), node.at("met").boolean(), node.at("anyhow").boolean(),
-          maybe(node.at("unused"), read_finding)};
-}
+ private:
+  // What the types of members do not say.
+  template <class Value>
+  static void check(const JsonNode&, const Value&) {}
+  static void check(const JsonNode& node, const NearestMaterial&) { (void)node.at("bytes").number(); }
+  static void check(const JsonNode& node, const FindingIsland& island) {
+    if (island.uv) (void)node.at("uv").each(&JsonNode::number);
+  }
+  static void check(const JsonNode& node, const Finding& finding) {
+    const Rule* const rule = find_rule(finding.rule);
+    if (rule == nullptr) node.at("id").fail_type("the id of a rule");
+    if (finding.slug != rule->slug) node.at("slug").fail_type(in_quotes(rule->slug));
+    (void)node.at("areaShare").number();
+    if (finding.uv) (void)node.at("uv").each(&JsonNode::number);
+  }
+  static void check(const JsonNode& node, const RoleOfFile& of) {
+    if (of.role != "config" && !role_named(of.role) && !picture_role_named(of.role))
+      node.at("role").fail_type("a role of a file");
+  }
+  static void check(const JsonNode& node, const CheckedFile& file) {
+    if (!file.sha256.empty()) (void)digest(node.at("sha256"), 64);
+  }
+
+  const JsonNode& node_;
+};
 
 ReportShard read_member(const JsonNode& node, const JsonNode& settings) {
   ReportShard out;
@@ -156,12 +154,12 @@ ReportShard read_member(const JsonNode& node, const JsonNode& settings) {
   out.run.checks = whole(run.at("checks"));
   out.verdict.never_fails = verdict.at("never").boolean();
   out.verdict.exit_zero = verdict.at("exitZero").boolean();
-  out.verdict.max_warnings = maybe(verdict.at("maxWarnings"), whole);
+  JsonReader::read(verdict.at("maxWarnings"), out.verdict.max_warnings);
   if (!least.text().empty()) out.verdict.min_severity = name(severity_at(least));
   out.settings.profile = settings.at("profile").word(profile_named, "default, strict, film or custom");
   out.settings.transfer = settings.at("transfer").word(texture_transfer_named, "srgb, power-2.2 or linear");
   out.settings.fail_on = severity_at(settings.at("failOn"));
-  out.allowances = node.at("allowances").each(read_allowance);
+  out.allowances = node.at("allowances").each(&JsonReader::read_one<AllowanceUse>);
   return out;
 }
 
@@ -174,7 +172,8 @@ ValidationReport read_document(const JsonNode& root, std::string_view version) {
                     "all shards of etak " + std::string(version));
   const JsonNode node = root.at("shard");
   const auto shard = std::make_shared<const ReportShard>(read_member(node, root.at("settings")));
-  ValidationReport out = report_of(root.at("files").each(read_checked), shard->settings);
+  ValidationReport out =
+      report_of(root.at("files").each(&JsonReader::read_one<CheckedFile>), shard->settings);
   out.settings_hash = digest(root.at("settings").at("hash"), 32);
   out.unknown = root.at("notRecognised").texts();
   if (node.has("notOpened")) out.not_opened = node.at("notOpened").texts();

@@ -130,14 +130,14 @@ void SceneCheck::judge_headers(const Manifest& manifest, const Settings& setting
     const std::string label = image_label(of_scene_, uses_.scene(), image);
     headers.headers.push_back({pictures_.header(image), label, role, {}});
     file.companions.push_back(label);
-    file.roles.emplace_back(label, name(role));
+    file.roles.push_back({label, std::string(name(role))});
   }
   if (needs_of(settings).has(Need::maps))
     headers.maps = normal_maps_of(uses_.scene(), door_,
                                   [this](int image) { return image_label(of_scene_, uses_.scene(), image); });
   for (const MapEvidence& map : headers.maps) {
     file.companions.push_back(map.label);
-    file.roles.emplace_back(map.label, name(map.role));
+    file.roles.push_back({map.label, std::string(name(map.role))});
   }
   file.stats.pictures_decoded += headers.maps.size();
   file.stats.pictures_left_out -= std::min(file.stats.pictures_left_out, headers.maps.size());

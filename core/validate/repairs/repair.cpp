@@ -3,6 +3,7 @@
 
 #include "core/judge/engine.h"
 #include "core/judge/pixels/code_tables.h"
+#include "core/judge/pixels/flood.h"
 #include "core/validate/repairs/rows.h"
 
 namespace etak {
@@ -41,18 +42,10 @@ class RegionSearch {
   std::size_t colours() const { return of_.channels >= 3 ? 3 : 1; }
   const std::uint8_t* texel(std::size_t i) const { return of_.values.data() + i * channels(); }
 
-  // Adds the texels around texel i that `wanted` accepts.
+  // Adds the texels that `wanted` accepts and that touch those of the region.
   template <class Wanted>
-  void add_around(std::size_t i, std::vector<std::size_t>& to, const Wanted& wanted) {
-    const auto width = static_cast<std::size_t>(marks_.width);
-    const int x0 = static_cast<int>(i % width), y0 = static_cast<int>(i / width);
-    for (int y = std::max(0, y0 - 1); y <= std::min(marks_.height - 1, y0 + 1); ++y)
-      for (int x = std::max(0, x0 - 1); x <= std::min(marks_.width - 1, x0 + 1); ++x) {
-        const std::size_t near = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-        if (seen_[near] != 0 || !wanted(near)) continue;
-        seen_[near] = 1;
-        to.push_back(near);
-      }
+  void extend(RepairRegion& region, const Wanted& wanted) {
+    flood({0, 0, marks_.width, marks_.height}, marks_.width, seen_, region.texels, wanted);
   }
 
   RepairRegion plateau_from(std::size_t first) {
@@ -61,28 +54,22 @@ class RegionSearch {
     most_.fill(0);
     seen_[first] = 1;
     region.texels.push_back(first);
-    for (std::size_t at = 0; at < region.texels.size(); ++at) {
-      const std::uint8_t* codes = texel(region.texels[at]);
+    extend(region, [&](std::size_t i) { return marks_.values[i] == plateau; });
+    for (const std::size_t i : region.texels)
       for (std::size_t c = 0; c < colours(); ++c) {
-        least_[c] = std::min(least_[c], int{codes[c]});
-        most_[c] = std::max(most_[c], int{codes[c]});
+        least_[c] = std::min(least_[c], int{texel(i)[c]});
+        most_[c] = std::max(most_[c], int{texel(i)[c]});
       }
-      add_around(region.texels[at], region.texels,
-                 [&](std::size_t near) { return marks_.values[near] == plateau; });
-    }
     return region;
   }
 
   void grow(RepairRegion& region) {
-    const auto alike = [&](std::size_t i) {
+    extend(region, [&](std::size_t i) {
       if (marks_.values[i] == 0) return false;
-      const std::uint8_t* codes = texel(i);
       for (std::size_t c = 0; c < colours(); ++c)
-        if (codes[c] < least_[c] - reach || codes[c] > most_[c] + reach) return false;
+        if (texel(i)[c] < least_[c] - reach || texel(i)[c] > most_[c] + reach) return false;
       return true;
-    };
-    for (std::size_t at = 0; at < region.texels.size(); ++at)
-      add_around(region.texels[at], region.texels, alike);
+    });
   }
 
   void average(RepairRegion& region) const {

@@ -69,7 +69,7 @@ TEST_CASE("a folder is searched: pairs go together, what no rule is about and wh
   const ValidationReport report = validate(request_for(folder));
   CHECK(paths_of(report) == std::vector<std::string>{"crate_diff.png", "sub/wood_diff.png"});
   CHECK(report.files[0].companions == std::vector<std::string>{"crate_spec.png"});
-  CHECK(report.files[1].roles[1] == std::pair<std::string, std::string>("sub/wood_spec.png", "specular"));
+  CHECK(report.files[1].roles[1] == RoleOfFile{"sub/wood_spec.png", "specular"});
   CHECK(report.run.files == 5);
   CHECK(report.run.skipped == 1);
   CHECK(report.run.checks == 2);
