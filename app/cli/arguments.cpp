@@ -5,9 +5,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cstddef>
+#include <sstream>
 #include <utility>
 
-#include "app/cli/completion/man.h"
 #include "app/cli/output/output.h"
 #include "app/cli/usage.h"
 #include "core/base/error.h"
@@ -25,7 +25,7 @@ Option Option::common() {
 }
 
 Option Option::value_name(const std::string& name) {
-  option_->type_name(name);
+  traits_->value = name;
   return *this;
 }
 
@@ -46,26 +46,40 @@ Option Option::show_default(const std::string& text) {
 
 Option Option::one_of(const std::vector<std::string>& all) {
   option_->transform(CLI::IsMember(all, CLI::ignore_case));
+  traits_->words = all;
   return *this;
 }
 
 Option Option::words(const std::vector<std::string>& all) {
-  option_->type_name(joined(all, value_separator));
+  traits_->value = "TEXT";
+  traits_->words = all;
   return *this;
 }
 
+namespace {
+
+template <class Number>
+void limit(CLI::Option& option, OptionTraits& traits, Number least, Number most) {
+  option.check(CLI::Range(least, most));
+  std::ostringstream range;
+  range << least << " to " << most;
+  traits.range = range.str();
+}
+
+}  // namespace
+
 Option Option::range(int least, int most) {
-  option_->check(CLI::Range(least, most));
+  limit(*option_, *traits_, least, most);
   return *this;
 }
 
 Option Option::range(unsigned least, unsigned most) {
-  option_->check(CLI::Range(least, most));
+  limit(*option_, *traits_, least, most);
   return *this;
 }
 
 Option Option::range(double least, double most) {
-  option_->check(CLI::Range(least, most));
+  limit(*option_, *traits_, least, most);
   return *this;
 }
 
@@ -94,6 +108,11 @@ Option Option::required() {
   return *this;
 }
 
+Option Option::in_shards(InShards part) {
+  traits_->in_shards = part;
+  return *this;
+}
+
 Option Option::excludes(const Option& other) {
   option_->excludes(other.option_);
   return *this;
@@ -106,6 +125,7 @@ Option Option::each(std::function<void(const std::string&)> hear) {
 
 Option Option::reads_file() {
   option_->transform(accept_input, "");
+  traits_->reads_file = true;
   return *this;
 }
 
@@ -113,9 +133,15 @@ bool Option::given() const {
   return option_->count() > 0;
 }
 
+Option Command::declared(CLI::Option* option) const {
+  OptionTraits& traits = line_->traits[option];
+  traits.value = option->get_type_size() == 0 ? "" : option->get_type_name();
+  return Option(option, &traits);
+}
+
 template <class Value>
 Option Command::option(const std::string& names, Value& value, const std::string& help) {
-  return Option(app_->add_option(names, value, help));
+  return declared(app_->add_option(names, value, help));
 }
 
 template Option Command::option(const std::string&, std::string&, const std::string&);
@@ -130,15 +156,15 @@ template Option Command::option(const std::string&, std::vector<double>&, const 
 template Option Command::option(const std::string&, std::vector<std::string>&, const std::string&);
 
 Option Command::option(const std::string& names, std::function<void(double)> hear, const std::string& help) {
-  return Option(app_->add_option_function<double>(names, std::move(hear), help));
+  return declared(app_->add_option_function<double>(names, std::move(hear), help));
 }
 
 Option Command::flag(const std::string& names, bool& value, const std::string& help) {
-  return Option(app_->add_flag(names, value, help));
+  return declared(app_->add_flag(names, value, help));
 }
 
 Option Command::flag(const std::string& names, std::function<void()> hear, const std::string& help) {
-  return Option(app_->add_flag_callback(names, std::move(hear), help));
+  return declared(app_->add_flag_callback(names, std::move(hear), help));
 }
 
 void Command::refuse(const std::string& names, const std::string& why, const std::string& expected) {
@@ -153,7 +179,19 @@ void Command::refuse(const std::string& names, const std::string& why, const std
 
 std::optional<Option> Command::find(const std::string& name) const {
   CLI::Option* const option = app_->get_option_no_throw(name);
-  return option == nullptr ? std::nullopt : std::optional<Option>(Option(option));
+  if (option == nullptr) return std::nullopt;
+  return Option(option, &line_->traits[option]);
+}
+
+std::vector<GivenOption> Command::given() const {
+  std::vector<GivenOption> out;
+  for (const CLI::Option* option : app_->get_options()) {
+    if (option->count() == 0) continue;
+    const bool argument = option->get_positional();
+    out.push_back({argument ? "" : option->get_name(), option->results(), option->get_expected_max() == 0,
+                   option->results() == std::vector{option->get_default_str()}, line_->traits[option]});
+  }
+  return out;
 }
 
 std::string Command::name() const {
@@ -169,7 +207,7 @@ void Command::when_read(std::function<void()> call) {
 }
 
 void Command::runs(Work work) {
-  app_->callback([chosen = chosen_, work = std::move(work)] { *chosen = work; });
+  app_->callback([line = line_, work = std::move(work)] { line->chosen = work; });
 }
 
 CommandLine::CommandLine(const std::string& title, const std::string& name)
@@ -184,54 +222,38 @@ CommandLine::CommandLine(const std::string& title, const std::string& name)
 CommandLine::~CommandLine() = default;
 
 Command CommandLine::top() {
-  return Command(app_.get(), &chosen_);
+  return Command(app_.get(), &line_);
 }
 
 Command CommandLine::verb(const std::string& name, const std::string& help) {
-  return Command(app_->add_subcommand(name, help), &chosen_);
+  CLI::App* const app = app_->add_subcommand(name, help);
+  line_.traits[app->get_help_ptr()].in_shards = InShards::one_file;
+  line_.traits[app->get_help_all_ptr()].in_shards = InShards::one_file;
+  return Command(app, &line_);
 }
 
 std::vector<Command> CommandLine::verbs() {
   std::vector<Command> out;
-  for (CLI::App* verb : app_->get_subcommands([](CLI::App*) { return true; }))
-    out.emplace_back(verb, &chosen_);
+  for (CLI::App* verb : app_->get_subcommands([](CLI::App*) { return true; })) out.emplace_back(verb, &line_);
   return out;
 }
 
 std::vector<VerbRow> CommandLine::table() const {
-  return option_table(*app_);
+  return option_table(*app_, line_.traits);
 }
 
-void CommandLine::add_help_verb() {
-  struct HelpArguments {
-    std::string verb;
-    bool whole = false, manual = false;
-  };
-  const auto arguments = std::make_shared<HelpArguments>();
-  Command help = verb("help", "what etak or one of its verbs takes");
-  help.option("VERB", arguments->verb, "a verb").value_name("");
-  help.flag("-a,--all", arguments->whole, "all options of the verb, as --help-all does");
-  help.flag("--man", arguments->manual, "the manual page, for man -l");
-  help.footer("Example:\n  etak help f0");
-  help.runs([arguments, this] {
-    write_output({}, arguments->manual ? manual_page(table(), arguments->verb)
-                                       : verb_help(*app_, arguments->verb, arguments->whole));
-    return exit_ok;
-  });
-}
-
-std::string CommandLine::help() const {
-  return verb_help(*app_, "", false);
+std::string CommandLine::help(const std::string& verb, bool whole) const {
+  return verb_help(*app_, verb, whole);
 }
 
 Work CommandLine::read(const std::vector<std::string>& words) {
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
-  use_plain_help(*app_);
+  use_plain_help(*app_, line_.traits);
   try {
     app_->parse(static_cast<int>(pointers.size()), pointers.data());
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw Error(message_of(*app_, error));
+    if (error.get_exit_code() != 0) throw Error(message_of(*app_, line_.traits, error));
     // --help and --help-all. The text is written as the work of the line, so that standard output that cannot be
     // written is reported as for all other output.
     const bool whole = dynamic_cast<const CLI::CallForAllHelp*>(&error) != nullptr;
@@ -240,7 +262,7 @@ Work CommandLine::read(const std::vector<std::string>& words) {
       return exit_ok;
     };
   }
-  return chosen_;
+  return line_.chosen;
 }
 
 }  // namespace etak::cli

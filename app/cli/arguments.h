@@ -26,7 +26,7 @@ using Work = std::function<int()>;
 /// An option or argument of a verb. Each setter returns the option, so that setters chain.
 class Option {
  public:
-  explicit Option(CLI::Option* option) : option_(option) {}
+  Option(CLI::Option* option, OptionTraits* traits) : option_(option), traits_(traits) {}
 
   Option group(const std::string& name);               // --help-all lists the option under this heading
   Option common();                                     // the heading of options that many verbs share
@@ -45,6 +45,7 @@ class Option {
   Option values(int count);             // takes exactly `count` values
   Option may_lack_value();              // the option may stand without a value
   Option required();
+  Option in_shards(InShards part);                            // without it: InShards::same
   Option excludes(const Option& other);                       // refused where the other is given too
   Option each(std::function<void(const std::string&)> hear);  // called with each value as typed
 
@@ -57,13 +58,30 @@ class Option {
 
  private:
   CLI::Option* option_;
+  OptionTraits* traits_;
+};
+
+/// An option or argument that is on the line.
+///   name     with its dashes; empty for an argument
+///   values   of the line, in its order; "true" for a flag
+///   standard   that the value is the same as without the option
+struct GivenOption {
+  std::string name;
+  std::vector<std::string> values;
+  bool flag = false, standard = false;
+  OptionTraits traits;
 };
 
 /// A verb with its options, or etak itself with the options before the verb. The variables that options are
 /// bound to must live until the line is read.
 class Command {
  public:
-  Command(CLI::App* app, Work* chosen) : app_(app), chosen_(chosen) {}
+  /// What all verbs of a line share: the work of the one that is on it, and what options were declared to be.
+  struct Line {
+    Work chosen;
+    TraitsOfOptions traits;
+  };
+  Command(CLI::App* app, Line* line) : app_(app), line_(line) {}
 
   /// An option whose names are given as "-o,--output", or an argument without dashes ("INPUT").
   ///   Value  text, number, truth (written as a word behind the option, such as 1), optional number, or list
@@ -82,14 +100,19 @@ class Command {
   /// The option that was added under this name, with its dashes.
   std::optional<Option> find(const std::string& name) const;
 
+  /// What the line gives, in the order of declaration; known once the line is read.
+  std::vector<GivenOption> given() const;
+
   std::string name() const;
   void footer(const std::string& text);        // last lines of the help
   void when_read(std::function<void()> call);  // called once the arguments of this verb are read
   void runs(Work work);                        // what the verb does
 
  private:
+  Option declared(CLI::Option* option) const;
+
   CLI::App* app_;
-  Work* chosen_;
+  Line* line_;
 };
 
 /// The whole line: `etak [OPTIONS] VERB ...`.
@@ -105,11 +128,8 @@ class CommandLine {
   /// etak itself and its verbs with all they take, in the order of the help: for what is generated from them.
   std::vector<VerbRow> table() const;
 
-  /// Adds `help [VERB]`.
-  void add_help_verb();
-
-  /// The short help of etak itself.
-  std::string help() const;
+  /// The help of a verb, or of etak itself: `whole` with all options. Throws Error for a verb that does not exist.
+  std::string help(const std::string& verb = "", bool whole = false) const;
 
   /// Reads the line. Returns the work of the verb, or of --help; empty where the line names no verb. Throws
   /// Error with a text "PLACE: FOUND; expected EXPECTED" for a mistake on the line.
@@ -118,7 +138,7 @@ class CommandLine {
 
  private:
   std::unique_ptr<CLI::App> app_;
-  Work chosen_;
+  Command::Line line_;
 };
 
 }  // namespace etak::cli

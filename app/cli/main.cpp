@@ -2,14 +2,16 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "app/cli/completion/shells.h"
 #include "app/cli/options/common.h"
-#include "app/cli/options/files.h"
+#include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
@@ -31,6 +33,25 @@ int print_version(bool as_json) {
            : "etak " + version) +
           '\n');
   return exit_ok;
+}
+
+// Adds `help [VERB]`.
+void add_help(CommandLine& line) {
+  struct HelpArguments {
+    std::string verb;
+    bool whole = false, manual = false;
+  };
+  const auto arguments = std::make_shared<HelpArguments>();
+  Command help = line.verb("help", "what etak or one of its verbs takes");
+  help.option("VERB", arguments->verb, "a verb").value_name("");
+  help.flag("-a,--all", arguments->whole, "all options of the verb, as --help-all does");
+  help.flag("--man", arguments->manual, "the manual page, for man -l");
+  help.footer("Example:\n  etak help f0");
+  help.runs([arguments, &line] {
+    write_output({}, arguments->manual ? manual_page(line.table(), arguments->verb)
+                                       : line.help(arguments->verb, arguments->whole));
+    return exit_ok;
+  });
 }
 
 // The verb that begins the line, where it needs no other verb: to declare the options of all of them would take
@@ -84,7 +105,7 @@ int run(std::vector<std::string> words) {
 #include "app/cli/verbs.inc"
 #undef ETAK_VERB
   CommonArguments common;
-  line.add_help_verb();
+  add_help(line);
   add_common_options(line, common);
   add_input_timeout(line);
   const Work work = line.read(words);

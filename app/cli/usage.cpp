@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "app/cli/output/output.h"
-#include "app/cli/output/terminal.h"
 #include "core/base/error.h"
 #include "core/base/system.h"
 #include "core/base/text/edit_distance.h"
@@ -16,7 +15,6 @@
 #include "core/base/text/wrap.h"
 
 namespace etak::cli {
-namespace {
 
 std::string listed(const std::vector<std::string>& words, const char* between, const char* last) {
   std::string out;
@@ -25,47 +23,13 @@ std::string listed(const std::vector<std::string>& words, const char* between, c
   return out;
 }
 
-std::vector<std::string> parts_of(std::string_view text, std::string_view separator) {
-  std::vector<std::string> out;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    out.emplace_back(text.substr(begin, end - begin));
-    begin = end + separator.size();
-  }
-  return out;
-}
+namespace {
 
-// The parts of the parser's description of an option's values, "NAME:{a,b}" or "N:INT in [1 - 9]".
-struct Values {
-  std::string name;                // "FILE", "TEXT", "INT"
-  std::vector<std::string> words;  // "a", "b"
-  std::string range;               // "1 to 9", "above 0"
-};
-
-Values values_of(const CLI::Option& option) {
-  const std::string whole = option.get_type_name();
-  Values out;
-  if (whole.find(value_separator) != whole.npos) {
-    out.name = "TEXT";
-    out.words = parts_of(whole, value_separator);
-    return out;
-  }
-  const std::size_t colon = whole.find(':');
-  out.name = whole.substr(0, colon);
-  if (colon == whole.npos) return out;
-  const std::string check = whole.substr(colon + 1);
-  const std::size_t open = check.find_first_of("{["), close = check.find_last_of("}]");
-  if (check == "POSITIVE") {
-    out.range = "above 0";
-  } else if (open == check.npos || close == check.npos || close < open) {
-    out.range = check;
-  } else if (const std::string inside = check.substr(open + 1, close - open - 1); check[open] == '{') {
-    out.words = parts_of(inside, ",");
-  } else {
-    const std::size_t dash = inside.find(" - ");
-    out.range = inside.substr(0, dash) + " to " + inside.substr(std::min(dash + 3, inside.size()));
-  }
-  return out;
+// What the declaration of an option says; of an option that the parser adds itself, nothing.
+const OptionTraits& traits_of(const TraitsOfOptions& all, const CLI::Option& option) {
+  static const OptionTraits nothing;
+  const auto found = all.find(&option);
+  return found == all.end() ? nothing : found->second;
 }
 
 // The name of a value in the help, in place of the parser's name of its type.
@@ -75,14 +39,13 @@ std::string plain_name(const std::string& type) {
   return type;
 }
 
-std::string expected_of(const CLI::Option& option) {
-  const Values values = values_of(option);
-  if (!values.words.empty()) return listed(values.words, ", ", " or ");
+std::string expected_of(const OptionTraits& option) {
+  if (!option.words.empty()) return listed(option.words, ", ", " or ");
   const bool whole =
-      values.name == "INT" || values.name == "UINT" || (values.name == "N" && values.range.empty());
-  const std::string kind = whole ? "a whole number" : values.name == "FLOAT" ? "a number" : "";
-  if (values.range.empty()) return !kind.empty() ? kind : values.name == "TEXT" ? "a value" : values.name;
-  return kind.empty() ? values.range : kind + ", " + values.range;
+      option.value == "INT" || option.value == "UINT" || (option.value == "N" && option.range.empty());
+  const std::string kind = whole ? "a whole number" : option.value == "FLOAT" ? "a number" : "";
+  if (option.range.empty()) return !kind.empty() ? kind : option.value == "TEXT" ? "a value" : option.value;
+  return kind.empty() ? option.range : kind + ", " + option.range;
 }
 
 // The group of options that the short help shows: those that were given no heading of their own.
@@ -103,6 +66,8 @@ std::vector<const CLI::Option*> options_under(const CLI::App& app, const std::st
 
 class PlainFormatter : public CLI::Formatter {
  public:
+  explicit PlainFormatter(const TraitsOfOptions& traits) : traits_(traits) {}
+
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     if (mode == CLI::AppFormatMode::Sub) return make_expanded(app);
     return make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) +
@@ -144,13 +109,12 @@ class PlainFormatter : public CLI::Formatter {
   std::string make_option_opts(const CLI::Option* option) const override {
     if (!option->get_option_text().empty() || option->get_type_size() == 0)
       return CLI::Formatter::make_option_opts(option);
-    const Values values = values_of(*option);
+    const OptionTraits& values = traits_of(traits_, *option);
     std::string out;
     const auto add = [&](const std::string& part) {
       if (!part.empty()) out += " " + part;
     };
-    const bool typed = values.name != "TEXT" || values.words.empty();
-    if (typed) add(plain_name(values.name));
+    if (values.value != "TEXT" || values.words.empty()) add(plain_name(values.value));
     add(listed(values.words, value_separator, value_separator));
     if (!values.range.empty()) add("(" + values.range + ")");
     if (!option->get_default_str().empty()) add("[" + option->get_default_str() + "]");
@@ -161,21 +125,22 @@ class PlainFormatter : public CLI::Formatter {
     if (!others.empty()) add("(not with " + listed(others, ", ", " or ") + ")");
     return out;
   }
+
+ private:
+  const TraitsOfOptions& traits_;
 };
 
-OptionRow option_row(const CLI::Option& option) {
+OptionRow option_row(const CLI::Option& option, const OptionTraits& traits) {
   OptionRow out;
+  static_cast<OptionTraits&>(out) = traits;
   for (const std::string& name : option.get_snames()) out.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) out.names.push_back("--" + name);
   out.help = option.get_description();
   out.repeats = option.get_expected_max() == CLI::detail::expected_max_vector_size;
   if (!option.get_positional()) out.group = option.get_group();
   if (option.get_type_size() == 0) return out;
-  const Values values = values_of(option);
-  out.value = plain_name(values.name);
+  out.value = plain_name(out.value);
   if (option.get_positional() && out.value.empty()) out.value = option.get_name(true, false);
-  out.words = values.words;
-  out.range = values.range;
   out.standard = option.get_default_str();
   return out;
 }
@@ -212,13 +177,10 @@ const CLI::Option* option_in(const CLI::App& verb, std::string_view text) {
 
 // The value that does not fit: the first that is not in the option's set of words; all values where the
 // option has no such set.
-std::string misfit(const CLI::Option& option) {
-  const Values values = values_of(option);
+std::string misfit(const CLI::Option& option, const std::vector<std::string>& words) {
   const std::vector<std::string>& typed = option.results();
   for (const std::string& each : typed)
-    if (!values.words.empty() &&
-        std::find(values.words.begin(), values.words.end(), each) == values.words.end())
-      return each;
+    if (!words.empty() && std::ranges::count(words, each) == 0) return each;
   return listed(typed, " ", " ");
 }
 
@@ -246,13 +208,13 @@ Error unknown_verb(std::string_view typed, const std::vector<std::string>& verbs
                    "one that etak --help lists" + did_you_mean(typed, verbs));
 }
 
-void use_plain_help(CLI::App& app) {
-  const auto formatter = std::make_shared<PlainFormatter>();
+void use_plain_help(CLI::App& app, const TraitsOfOptions& traits) {
+  const auto formatter = std::make_shared<PlainFormatter>(traits);
   app.formatter(formatter);
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->formatter(formatter);
 }
 
-std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
+std::string message_of(const CLI::App& app, const TraitsOfOptions& all, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const CLI::App& verb = chosen.empty() ? app : *chosen.front();
   const std::string text = error.what(), kind = error.get_name();
@@ -261,16 +223,16 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::Option* option = option_in(verb, text);
   if (option == nullptr) return text;
   const std::string name = option->get_name();
+  const OptionTraits& traits = traits_of(all, *option);
   if (kind == "RequiredError") return Error::at(name, "is missing", option->get_description()).what();
   if (kind == "ValidationError" || kind == "ConversionError") {
-    const std::string found = misfit(*option);
-    return Error::at(name, printable(found, 80),
-                     expected_of(*option) + did_you_mean(found, values_of(*option).words))
+    const std::string found = misfit(*option, traits.words);
+    return Error::at(name, printable(found, 80), expected_of(traits) + did_you_mean(found, traits.words))
         .what();
   }
   if (kind == "ArgumentMismatch") {
     const int least = option->get_items_expected_min();
-    const std::string wanted = expected_of(*option);
+    const std::string wanted = expected_of(traits);
     const std::string count =
         option->results().empty() ? "no value" : std::to_string(option->results().size()) + " values";
     return Error::at(name, count, least > 1 ? std::to_string(least) + " of " + wanted : wanted).what();
@@ -290,7 +252,7 @@ std::string verb_help(const CLI::App& app, const std::string& name, bool whole) 
   throw unknown_verb(name, verbs_of(app));
 }
 
-std::vector<VerbRow> option_table(const CLI::App& app) {
+std::vector<VerbRow> option_table(const CLI::App& app, const TraitsOfOptions& traits) {
   std::vector<VerbRow> out;
   const auto add = [&](const CLI::App& verb) {
     VerbRow& row = out.emplace_back();
@@ -299,9 +261,10 @@ std::vector<VerbRow> option_table(const CLI::App& app) {
     row.footer = verb.get_footer();
     for (const CLI::Option* option :
          verb.get_options([](const CLI::Option* o) { return o->get_positional(); }))
-      row.options.push_back(option_row(*option));
+      row.options.push_back(option_row(*option, traits_of(traits, *option)));
     for (const std::string& group : groups_of(verb))
-      for (const CLI::Option* option : options_under(verb, group)) row.options.push_back(option_row(*option));
+      for (const CLI::Option* option : options_under(verb, group))
+        row.options.push_back(option_row(*option, traits_of(traits, *option)));
   };
   add(app);
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) add(*verb);

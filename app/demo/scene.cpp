@@ -7,11 +7,11 @@
 #include "core/atlas/layout.h"
 #include "core/atlas/manifest.h"
 #include "core/base/files/file.h"
+#include "core/findings/output/formats.h"
 #include "core/image/files/png.h"
 #include "core/image/load.h"
 #include "core/pages/finding_pictures.h"
 #include "core/pages/validation_pictures.h"
-#include "core/validate/output/formats.h"
 #include "core/validate/validate.h"
 
 namespace etak::demo {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/judge/finding.h"
 #include "core/pages/f0/report.h"
-#include "core/validate/finding.h"
 
 namespace etak {
 

@@ -10,7 +10,7 @@ namespace etak {
 namespace {
 
 SpaceCurve open_source(const std::string& config, const std::string& name) {
-  return [source = OcioSource::open(config, name)](float* rgb, std::size_t count) {
+  return [source = OcioConfig::open(config).source(name)](float* rgb, std::size_t count) {
     source.to_linear_srgb(rgb, count);
   };
 }
@@ -18,7 +18,7 @@ SpaceCurve open_source(const std::string& config, const std::string& name) {
 CustomSpace open_space(const std::string& config, const std::string& name) {
   const OcioSpace space = [&] {
     try {
-      return OcioSpace::open(config, name);
+      return OcioConfig::open(config).space(name);
     } catch (const Error& error) {
       if (!config.empty()) throw;
       throw Error(std::string(error.what()) + ", or a built-in space: " + built_in_spaces);

@@ -25,9 +25,9 @@
 #include "core/base/files/between_files.h"
 #include "core/exchange/material_input.h"
 #include "core/exchange/table.h"
+#include "core/judge/nearest.h"
 #include "core/material/f0_settings.h"
 #include "core/material/library.h"
-#include "core/validate/nearest.h"
 
 // The parts of etak._core. Every call that computes releases the lock of the interpreter (Unlocked) while it
 // works, and takes arguments and makes results while it holds it.

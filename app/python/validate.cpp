@@ -6,11 +6,11 @@
 #include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
-#include "core/validate/baseline.h"
-#include "core/validate/output/explain.h"
-#include "core/validate/output/formats.h"
-#include "core/validate/rules.h"
-#include "core/validate/suppress.h"
+#include "core/findings/baseline.h"
+#include "core/findings/output/explain.h"
+#include "core/findings/output/formats.h"
+#include "core/findings/suppress.h"
+#include "core/judge/rules.h"
 #include "core/validate/validate.h"
 
 namespace etak::python {

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "app/python/module.h"
+#include "core/findings/report.h"
 #include "core/validate/config.h"
-#include "core/validate/finding.h"
 
 namespace etak::python {
 

@@ -16,7 +16,7 @@ ViewDisplay open_display(const std::string& config, const std::string& display, 
     out.tone = tone;
     return out;
   }
-  out.cpu = std::make_shared<const OcioDisplay>(OcioDisplay::open(config, display, view));
+  out.cpu = std::make_shared<const OcioDisplay>(OcioConfig::open(config).display(display, view));
   out.gpu = std::make_shared<const OcioShader>(out.cpu->shader());
   return out;
 }

@@ -21,7 +21,7 @@ class Error : public std::runtime_error {
   ///   expected   what should be there; may be empty
   static Error at(std::string_view place, std::string_view found, std::string_view expected = {});
 
-  /// The same with a 1-based line number put behind the file name.
+  /// An error at a 1-based line, which is put behind the file's name.
   static Error at_line(std::string_view file, std::size_t line, std::string_view found,
                        std::string_view expected = {});
 };
@@ -31,7 +31,7 @@ std::string reason_of(int error_number);
 
 /// For quoting foreign bytes in a message: line_text() of text.h, cut after `most` bytes.
 std::string printable(std::string_view bytes, std::size_t most = 40);
-/// The same between double quotes.
+/// printable() bytes between double quotes.
 std::string in_quotes(std::string_view bytes, std::size_t most = 40);
 
 }  // namespace etak

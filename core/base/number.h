@@ -26,7 +26,7 @@ std::optional<Value> whole_number(std::string_view text) {
 /// Appends `value` with at most `digits` significant digits, as printf's %.{digits}g in the C locale.
 void append_number(std::string& out, double value, int digits);
 
-/// The same as a string of its own.
+/// The text that append_number() appends.
 std::string number(double value, int digits);
 
 /// A whole number with commas between thousands: "2,914".

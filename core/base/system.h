@@ -101,7 +101,7 @@ bool remove_files_of(int folder);
 
 /// Gives a file another name, in one step. What has the name is replaced.
 bool rename_in(int from, const std::string& name, int to, const std::string& new_name);
-/// The same, but fails with EEXIST where the name is taken, and with EINVAL or ENOSYS where the file system
+/// rename_in(), but fails with EEXIST where the name is taken, and with EINVAL or ENOSYS where the file system
 /// cannot look and rename in one step.
 bool rename_new_in(int from, const std::string& name, int to, const std::string& new_name);
 /// Whether the system can exchange two names in one step.

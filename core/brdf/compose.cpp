@@ -63,7 +63,7 @@ void evaluate_piece(const Model::Compiled::Piece& piece, decltype(evaluators::On
   evaluate(d, own, rgb);
 }
 
-// The same as brdf_microfacet() of microfacet.glsl and brdf_compensated() of compensated.glsl.
+// Computes what brdf_microfacet() of microfacet.glsl and brdf_compensated() of compensated.glsl do.
 template <class Real, class Choose>
 void evaluate_pieces(const Model::Compiled& compiled, Choose choose, const Directions& d,
                      const double* numbers, Real rgb[3]) {

@@ -88,7 +88,7 @@ struct Model {
   ///   values   value_count() numbers: the parameters in order, three numbers for each colour
   void f64(const Directions& d, const double* values, double rgb[3]) const;
 
-  /// The same formula in float, with the functions of the C library.
+  /// f_r in float, with the functions of the C library.
   void f32(const Directions& d, const double* values, float rgb[3]) const;
 
   /// f_r in float for `count` pairs of directions at once, by vector instructions.
@@ -99,7 +99,7 @@ struct Model {
   void f32_batch(std::size_t count, const float* const directions[6], const double* values,
                  float* const rgb[3]) const;
 
-  /// The same for a light and a viewer at infinity, whose directions are the same for all points while the
+  /// f_r for a light and a viewer at infinity, whose directions are the same for all points while the
   /// surface's frame differs. F depends on these two directions alone and is computed once. Call it only
   /// where has_far_loop() is true, as it is for every model of models().
   ///   lh       cosine between half vector and light

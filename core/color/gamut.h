@@ -12,7 +12,7 @@ namespace etak {
 /// inside, and for amounts that are no more than rounding errors.
 std::array<double, 3> gamut_excess(const LinearRgb& color);
 
-/// The same for people: "r +0.0428, b -0.0011"; empty for a colour inside.
+/// gamut_excess() for people: "r +0.0428, b -0.0011"; empty for a colour inside.
 std::string gamut_text(const LinearRgb& color);
 
 }  // namespace etak

@@ -21,7 +21,7 @@ std::uint8_t plain_u8(double value);
 /// floor(255 encode(clamp(linear, 0, 1)) + 1/2).
 std::uint8_t srgb_u8(double linear);
 
-/// The same with encode(x) = x^(1/2.2): the codes of Schueler's table.
+/// The code by encode(x) = x^(1/2.2), as in Schueler's table.
 std::uint8_t power22_u8(double linear);
 
 Srgb8 srgb_u8(const LinearRgb& linear);

@@ -16,12 +16,12 @@ double absorptance0(double n, double k);
 double fresnel_exact(double n, double k, double c);
 double f_schlick(double f0_value, double c);
 
-/// The same over arrays of one length; out may not overlap the inputs.
+/// The formulas over arrays of one length; out may not overlap the inputs.
 void f0(std::span<const double> n, std::span<const double> k, std::span<double> out);
 void fresnel_exact(std::span<const double> n, std::span<const double> k, double c, std::span<double> out);
 }  // namespace f64
 
-/// The same text in float: what a GPU gets.
+/// The formula text in float: what a GPU gets.
 namespace f32 {
 float f0(float n, float k);
 float absorptance0(float n, float k);

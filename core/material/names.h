@@ -57,7 +57,7 @@ std::optional<NameDistance> name_distance(std::string_view asked, std::string_vi
 std::vector<const Dataset*> datasets_named(const Material& material, std::string_view text,
                                            std::string_view label);
 
-/// The same for one dataset; the preferred one where `text` is empty.
+/// The one dataset that the text names; the preferred one where `text` is empty.
 const Dataset& dataset_named(const Material& material, std::string_view text, std::string_view label);
 
 /// What `notes` of a material say where it is asked for as `name`, a view into them; empty: nothing.

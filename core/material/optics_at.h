@@ -22,11 +22,11 @@ struct ReadOptions {
 std::vector<double> n_at(const OpticalConstants& optics, std::span<const double> at_nm, std::string_view what,
                          const ReadOptions& options = {});
 
-/// The same of k. Throws Error where no k is given: it is then not known, though F0Solver takes 0.
+/// k at wavelengths. Throws Error where no k is given: it is then not known, though F0Solver takes 0.
 std::vector<double> k_at(const OpticalConstants& optics, std::span<const double> at_nm, std::string_view what,
                          const ReadOptions& options = {});
 
-/// The same of a table.
+/// The values of a table at wavelengths.
 std::vector<double> values_at(const Spectrum& table, std::span<const double> at_nm, std::string_view what,
                               const ReadOptions& options = {});
 

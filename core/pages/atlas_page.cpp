@@ -6,8 +6,8 @@
 #include "core/base/bytes/base64.h"
 #include "core/base/number.h"
 #include "core/base/text/text.h"
+#include "core/findings/output/formats.h"
 #include "core/pages/page_style.h"
-#include "core/validate/output/formats.h"
 
 namespace etak {
 namespace {

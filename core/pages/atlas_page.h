@@ -8,7 +8,7 @@
 
 #include "core/atlas/layout.h"
 #include "core/atlas/leave_out.h"
-#include "core/validate/finding.h"
+#include "core/findings/report.h"
 
 namespace etak {
 

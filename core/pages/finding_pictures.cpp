@@ -12,17 +12,17 @@
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/base/text/free_names.h"
+#include "core/findings/output/formats.h"
 #include "core/image/files/png.h"
+#include "core/judge/engine.h"
+#include "core/judge/rules.h"
 #include "core/pages/mask.h"
 #include "core/pages/validation_pictures.h"
 #include "core/scene/gltf.h"
-#include "core/validate/engine.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/load.h"
 #include "core/validate/files/metal_rough.h"
 #include "core/validate/files/scene_use.h"
-#include "core/validate/output/formats.h"
 #include "core/validate/repairs/repair_files.h"
-#include "core/validate/rules.h"
 
 namespace etak {
 namespace {

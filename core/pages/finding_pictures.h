@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/base/files/output.h"
+#include "core/findings/report.h"
 #include "core/image/picture.h"
+#include "core/judge/settings.h"
 #include "core/pages/validation_page.h"
-#include "core/validate/finding.h"
-#include "core/validate/settings.h"
 
 namespace etak {
 

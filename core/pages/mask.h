@@ -10,7 +10,7 @@ namespace etak {
 /// of their codes.
 ///   picture   1, 3 or 4 channels; the fourth (opacity or gloss) is left out
 ///   marks     one channel of the same size: 0 nothing, 1 transition, 2 plateau (region_picture in
-///             core/validate/engine.h)
+///             core/judge/engine.h)
 ///   returns   RGB
 Image8 mask_picture(const Image8& picture, const Image8& marks);
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/findings/repair_report.h"
 #include "core/image/image.h"
-#include "core/validate/repair_report.h"
 
 namespace etak {
 

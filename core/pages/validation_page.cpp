@@ -9,10 +9,10 @@
 #include "core/base/bytes/base64.h"
 #include "core/base/number.h"
 #include "core/base/text/text.h"
+#include "core/findings/output/formats.h"
+#include "core/judge/rules.h"
 #include "core/pages/page_style.h"
 #include "core/pages/validation_pictures.h"
-#include "core/validate/output/formats.h"
-#include "core/validate/rules.h"
 
 namespace etak {
 namespace {
@@ -273,7 +273,7 @@ void append_rules(std::string& out, const ValidationReport& report) {
     if (rule == nullptr) continue;
     append(out, "<article id=\"", id, "\"><h3>", id, ' ', rule->slug, "</h3><p class=\"policy\">",
            rule->family(), "; ", grouped(count), count == 1 ? " finding" : " findings", "; severity ",
-           name(rule->severity), ", strict profile ", name(rule->strict_severity), "</p>\n<p>",
+           name(rule->severity.standard), ", strict profile ", name(rule->severity.strict), "</p>\n<p>",
            escape_html(rule->what), "</p><p><b>Why.</b> ", escape_html(rule->why), "</p>");
     append(out, "<p><b>Example.</b> ", escape_html(rule->example), "</p><p><b>Fix.</b> ",
            escape_html(rule->fix), "</p>");

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/validate/finding.h"
-#include "core/validate/settings.h"
+#include "core/findings/report.h"
+#include "core/judge/settings.h"
 
 namespace etak {
 

@@ -7,7 +7,7 @@
 
 #include "core/color/luminance.h"
 #include "core/color/srgb.h"
-#include "core/validate/pixels/code_tables.h"
+#include "core/judge/pixels/code_tables.h"
 
 namespace etak {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "core/image/image.h"
-#include "core/validate/settings.h"
+#include "core/judge/settings.h"
 
 namespace etak {
 
@@ -13,7 +13,7 @@ namespace etak {
 /// pixel is the mean over the texels that it covers, taken in linear light; codes are read as sRGB.
 Image8 thumbnail(const Image8& picture, int most);
 
-/// An overlay for thumbnail() that shows where marks (region_picture in core/validate/engine.h) lie: RGBA
+/// An overlay for thumbnail() that shows where marks (region_picture in core/judge/engine.h) lie: RGBA
 /// with straight (not premultiplied) opacity. Pixels that cover plateau texels are red; pixels that cover
 /// transition texels alone are yellow. Opacity grows with the share of such texels.
 Image8 heat_map(const Image8& marks, int width, int height);

@@ -184,7 +184,7 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
 /// The end of `wanted` is left out where the name would be longer than most_name_bytes
 /// (core/material/limits.h).
 std::string free_name(const Project& project, const std::string& wanted);
-/// The same for several names: each name that free_name() returns is taken from then on.
+/// A project's names, for several free ones: each name that free_name() returns is taken from then on.
 FreeNames names_of(const Project& project);
 std::string free_name(FreeNames& names, const std::string& wanted);
 

@@ -27,7 +27,7 @@ bool has_packed_textures(const ProjectMaterial& material);
 MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary& library,
                          const PictureDoor& door, std::size_t most_texels = 0);
 
-/// What decides about the texels that a material has from its pictures: which channels have one and how they
+/// All that decides about the texels that a material has from its pictures: which channels have one and how they
 /// are read, and when each file was written last and how large it is. A file that cannot be asked has neither.
 class PicturesKey {
  public:

@@ -16,8 +16,8 @@ struct Wanted {
 };
 
 // Index and key of the free rectangle with the least key; -1 where none is large enough.
-LANES_FUNCTION std::pair<int, int> least_key(const int* xs, const int* ys, const int* rights, const int* tops,
-                                             int count, const Wanted& wanted) {
+LANES_FUNCTION std::pair<int, int> least_key(const FreeRects& free, const Wanted& wanted) {
+  const auto [xs, ys, rights, tops, count] = free;
   Lanes best = {}, where = {}, here = {0, 1, 2, 3, 4, 5, 6, 7};
   best += INT_MAX;
   const int bits = wanted.key_bits, most = (1 << bits) - 1;
@@ -37,10 +37,6 @@ LANES_FUNCTION std::pair<int, int> least_key(const int* xs, const int* ys, const
       case Fit::short_side:
         first = dx < dy ? dx : dy;
         second = dx < dy ? dy : dx;
-        break;
-      case Fit::long_side:
-        first = dx < dy ? dy : dx;
-        second = dx < dy ? dx : dy;
         break;
       case Fit::area:
         first = (dx + wanted.width) * ((dy + wanted.height) >> wanted.area_shift) -
@@ -67,9 +63,8 @@ LANES_FUNCTION std::pair<int, int> least_key(const int* xs, const int* ys, const
 
 // The first block from `from` on with a free rectangle that is large enough, and which of its lanes are; 0
 // where there is none.
-LANES_FUNCTION std::pair<int, unsigned> next_fitting(const int* xs, const int* ys, const int* rights,
-                                                     const int* tops, int from, int count, int width,
-                                                     int height) {
+LANES_FUNCTION std::pair<int, unsigned> next_fitting(const FreeRects& free, int from, int width, int height) {
+  const auto [xs, ys, rights, tops, count] = free;
   for (int i = from; i < count; i += lane_count) {
     Lanes x, y, right, top;
     std::memcpy(&x, xs + i, sizeof x);
@@ -98,18 +93,13 @@ struct Side {
   void pad() { std::fill_n(far + count, lane_count, INT_MAX); }
 };
 
-struct Space {
-  int *x, *y, *right, *top;
-  int count;
-};
-
 struct Cut {
   int x, y, right, top, least_width, least_height;
 };
 
 // Takes the rectangles that the box cuts out of the space (the last one fills the gap) and gathers their
 // pieces and what touches the box, left, right, below and above of it.
-LANES_FUNCTION void cut(Space& space, const Cut& box, Side* pieces, Side* touching) {
+LANES_FUNCTION void cut(FreeRects& space, const Cut& box, Side* pieces, Side* touching) {
   const auto [x, y, right, top, least_width, least_height] = box;
   int *const xs = space.x, *const ys = space.y, *const rights = space.right, *const tops = space.top;
   int count = space.count;
@@ -196,8 +186,6 @@ const char* name_of(Fit fit) {
   switch (fit) {
     case Fit::short_side:
       return "best short side";
-    case Fit::long_side:
-      return "best long side";
     case Fit::area:
       return "best area";
     case Fit::bottom_left:
@@ -258,7 +246,7 @@ void MaxRects::occupy(int x, int y, int width, int height) {
   for (Side& s : pieces) side(s);
   for (Side& s : touching) side(s);
 
-  Space space{x_.data(), y_.data(), right_.data(), top_.data(), count_};
+  FreeRects space = free_rects();
   cut(space, {x, y, right, top, least_width_, least_height_}, pieces, touching);
   count_ = space.count;
   const int old = count_;
@@ -290,7 +278,7 @@ void MaxRects::occupy(int x, int y, int width, int height) {
   }
 }
 
-void MaxRects::remember(const Free& box) {
+void MaxRects::remember(const Box& box) {
   const int lines[4] = {box.x, box.right, box.y, box.top};
   Placed placed{box, {}};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -303,34 +291,33 @@ void MaxRects::remember(const Free& box) {
 
 // How much of the border of a box touches the border of the page and placed boxes: those whose opposite side
 // is on the same line.
-int MaxRects::contact(const Free& box) const {
+int MaxRects::contact(const Box& box) {
   int touch = 0;
   if (box.x == 0) touch += box.top - box.y;
   if (box.right == page_width_) touch += box.top - box.y;
   if (box.y == 0) touch += box.right - box.x;
   if (box.top == page_height_) touch += box.right - box.x;
   int steps = 10;
-  const auto follow = [&](std::size_t k, int line, int Free::*side, int Free::*from, int Free::*to) {
+  const auto follow = [&](std::size_t k, int line, int Box::*side, int Box::*from, int Box::*to) {
     const Placed* const placed = placed_.data();
     for (int i = first_on_line_[k][at(line) % line_slots]; i >= 0; i = placed[i].next_on_line[k], ++steps) {
-      const Free& other = placed[i].box;
+      const Box& other = placed[i].box;
       if (other.*side == line)
         touch += std::max(0, std::min(other.*to, box.*to) - std::max(other.*from, box.*from));
     }
   };
-  follow(0, box.right, &Free::x, &Free::y, &Free::top);
-  follow(1, box.x, &Free::right, &Free::y, &Free::top);
-  follow(2, box.top, &Free::y, &Free::x, &Free::right);
-  follow(3, box.y, &Free::top, &Free::x, &Free::right);
+  follow(0, box.right, &Box::x, &Box::y, &Box::top);
+  follow(1, box.x, &Box::right, &Box::y, &Box::top);
+  follow(2, box.top, &Box::y, &Box::x, &Box::right);
+  follow(3, box.y, &Box::top, &Box::x, &Box::right);
   work_ += 3 * steps;
   return touch;
 }
 
-MaxRects::Found MaxRects::find_contact(int width, int height) const {
+MaxRects::Found MaxRects::find_contact(int width, int height) {
   Found best;
   for (int from = 0; from < count_; from += lane_count) {
-    auto [block, fits] =
-        next_fitting(x_.data(), y_.data(), right_.data(), top_.data(), from, count_, width, height);
+    auto [block, fits] = next_fitting(free_rects(), from, width, height);
     from = block;
     for (; fits != 0; fits &= fits - 1) {
       const int i = block + lowest_lane(fits), x = x_[at(i)], y = y_[at(i)];
@@ -341,11 +328,10 @@ MaxRects::Found MaxRects::find_contact(int width, int height) const {
   return best;
 }
 
-MaxRects::Found MaxRects::find(int width, int height, Fit fit) const {
+MaxRects::Found MaxRects::find(int width, int height, Fit fit) {
   work_ += 12 + 3 * (count_ / lane_count);
   if (fit == Fit::contact) return find_contact(width, height);
-  const auto [index, key] = least_key(x_.data(), y_.data(), right_.data(), top_.data(), count_,
-                                      {width, height, key_bits_, area_shift_, fit});
+  const auto [index, key] = least_key(free_rects(), {width, height, key_bits_, area_shift_, fit});
   return {key == INT_MAX ? -1 : index, key};
 }
 

@@ -6,9 +6,14 @@
 namespace etak::rects {
 
 /// Which free rectangle takes the next one.
-enum class Fit { short_side, long_side, area, bottom_left, contact };
-inline constexpr int fit_count = 5;
+enum class Fit { short_side, area, bottom_left, contact };
 const char* name_of(Fit fit);
+
+/// Free rectangles as columns, which are padded to whole lanes with empty ones.
+struct FreeRects {
+  int *x, *y, *right, *top;
+  int count;
+};
 
 /// Maximal rectangles: the free space is the list of all largest free rectangles.
 /// Based on
@@ -30,17 +35,18 @@ class MaxRects {
   bool insert(int width, int height, Fit fit, Spot& spot);
 
  private:
-  struct Free {
+  struct Box {
     int x, y, right, top;
   };
   struct Found {
     int free = -1;
     int key = 0;
   };
-  Found find(int width, int height, Fit fit) const;
-  Found find_contact(int width, int height) const;
-  void remember(const Free& box);
-  int contact(const Free& box) const;
+  FreeRects free_rects() { return {x_.data(), y_.data(), right_.data(), top_.data(), count_}; }
+  Found find(int width, int height, Fit fit);
+  Found find_contact(int width, int height);
+  void remember(const Box& box);
+  int contact(const Box& box);
   void keep(int x, int y, int right, int top);
 
   const Set& set_;
@@ -51,12 +57,12 @@ class MaxRects {
   int count_ = 0;
   std::vector<int> x_, y_, right_, top_;  // of the free rectangles; the padding holds empty ones
   std::vector<int> scratch_;              // the rectangles that the last box cuts and touches
-  mutable std::int64_t work_ = 0;
+  std::int64_t work_ = 0;
   // The placed boxes, for the contact rule, in lists by the line of the left, right, lower and upper side;
   // several lines share a slot.
   static constexpr std::size_t line_slots = 1024;
   struct Placed {
-    Free box;
+    Box box;
     int next_on_line[4];
   };
   std::vector<Placed> placed_;

@@ -55,7 +55,7 @@ void search_both(const Set& set, const Frame& frame, const Family& upright, cons
   if (round.any && (!best.any || side_of(turned, round) < side_of(turned, best))) best = std::move(round);
 }
 
-Packed packed(const Best& best, PageSize page) {
+Packed packed(const Best& best, RectSize page) {
   return {{page}, best.spots, std::vector<int>(best.spots.size(), 0), best.method};
 }
 
@@ -64,13 +64,6 @@ Packed packed(const Best& best, PageSize page) {
 int Frame::side_texels(int length) const {
   const std::int64_t texels = std::int64_t{length} * unit;
   return static_cast<int>((texels + multiple - 1) / multiple * multiple);
-}
-
-int power_of_two_texels(const Frame& frame, int length) {
-  const int texels = frame.side_texels(length);
-  int out = 1;
-  while (out < texels) out *= 2;
-  return out;
 }
 
 std::optional<Packed> pack_square(const Set& set, const Frame& frame, Budget& budget) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <optional>
 
+#include "core/rects/index.h"
 #include "core/rects/search.h"
 
 namespace etak::rects {
@@ -26,14 +28,10 @@ struct Frame {
   int side_texels(int length) const;
 };
 
-struct PageSize {
-  int width = 0, height = 0;
-};
-
 /// A layout. Spots are by canonical index. Page sides are the extents of what lies there; those of square
 /// pages and of powers of two have their final lengths.
 struct Packed {
-  std::vector<PageSize> pages;
+  std::vector<RectSize> pages;
   std::vector<Spot> spots;
   std::vector<int> page_of;
   std::string method;
@@ -50,7 +48,25 @@ Packed pack_pages(const Set& set, const Frame& frame, int width, int height, Bud
 /// Pages of powers of two with the least total area.
 Packed pack_mixed(const Set& set, const Frame& frame, Budget& budget);
 
-/// The least power of two of texels that holds a length in units.
-int power_of_two_texels(const Frame& frame, int length);
+/// The greatest power of two that is not above `value`; value: at least 1.
+constexpr int power_below(int value) {
+  return static_cast<int>(std::bit_floor(static_cast<unsigned>(value)));
+}
+
+/// Drops the pages on which nothing lies.
+///   page_of   the page of a place, by reference
+template <class Place, class PageOf>
+void drop_empty(std::vector<RectSize>& pages, std::vector<Place>& places, PageOf page_of) {
+  std::vector<int> number(pages.size(), -1);
+  for (Place& place : places) number[at(page_of(place))] = 0;
+  std::vector<RectSize> kept;
+  for (std::size_t p = 0; p < number.size(); ++p) {
+    if (number[p] < 0) continue;
+    number[p] = static_cast<int>(kept.size());
+    kept.push_back(pages[p]);
+  }
+  for (Place& place : places) page_of(place) = number[at(page_of(place))];
+  pages.swap(kept);
+}
 
 }  // namespace etak::rects

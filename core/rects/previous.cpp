@@ -5,8 +5,7 @@
 #include <climits>
 #include <tuple>
 
-#include "core/rects/index.h"
-#include "core/rects/maxrects.h"
+#include "core/rects/pack.h"
 
 namespace etak::rects {
 namespace {
@@ -145,19 +144,6 @@ std::vector<RectSize> larger(const RectSize& page, const RectOptions& options, d
   return out;
 }
 
-void drop_empty_pages(RectLayout& layout) {
-  std::vector<int> number(layout.pages.size(), -1);
-  for (const RectPlace& place : layout.places) number[at(place.page)] = 0;
-  std::vector<RectSize> kept;
-  for (std::size_t p = 0; p < number.size(); ++p) {
-    if (number[p] < 0) continue;
-    number[p] = static_cast<int>(kept.size());
-    kept.push_back(layout.pages[p]);
-  }
-  for (RectPlace& place : layout.places) place.page = number[at(place.page)];
-  layout.pages.swap(kept);
-}
-
 // The previous layout with the new rectangles, or none where it cannot be used or takes more than `most`
 // texels.
 std::optional<RectLayout> completed(std::span<const RectSize> sizes, const RectOptions& options,
@@ -205,7 +191,7 @@ std::optional<RectLayout> completed(std::span<const RectSize> sizes, const RectO
     }
     out.pages.insert(out.pages.end(), more.pages.begin(), more.pages.end());
   }
-  drop_empty_pages(out);
+  drop_empty(out.pages, out.places, [](RectPlace& place) -> int& { return place.page; });
   fit_pages(sizes, options, out);
   return out;
 }

@@ -46,13 +46,6 @@ void check(const RectOptions& options) {
     throw Error::at("seconds", "is negative or no number", "0 (no limit) or more");
 }
 
-// The page side that no rectangle may exceed in both directions.
-int power_below(int value) {
-  int out = 1;
-  while (out <= value / 2) out *= 2;
-  return out;
-}
-
 void check(std::span<const RectSize> sizes, const RectOptions& options) {
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const RectSize& size = sizes[i];
@@ -68,7 +61,7 @@ void check(std::span<const RectSize> sizes, const RectOptions& options) {
     if (options.form == PageForm::pages && std::max(size.width, size.height) > options.side)
       refuse("at most as large as a page, " + std::to_string(options.side) + " x " +
              std::to_string(options.side));
-    const int power = power_below(options.side);
+    const int power = power_below(std::max(1, options.side));  // no page has a longer side
     if (options.form == PageForm::mixed && std::max(size.width, size.height) > power)
       refuse("at most as large as a page, " + std::to_string(power) + " x " + std::to_string(power));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <optional>
 
@@ -24,22 +25,10 @@ struct Search::Worker {
   MaxRects maxrects[2];
 };
 
-/// An order that is being changed, and how much of it fitted into the page that is looked for now.
-struct Search::Leader {
-  Try how;
-  std::vector<int> order;
-  double share = 0;          // of the page that was filled when it gave up
-  std::int64_t placed = -1;  // in the page of side `target`
-  int target = -1;
-};
-
 /// One try with its outcome.
 struct Search::Step {
   Try how;
-  std::vector<int> changed;
-  std::span<const int> order;
-  int depth = 1;
-  int target = 0;
+  int target = 0;           // side of the page
   std::uint64_t print = 0;  // of the try in the page of side `target`
   const Outcome* known = nullptr;
   Outcome outcome;
@@ -56,10 +45,7 @@ Search::Search(const Set& set, bool rotate, unsigned threads, Budget& budget)
   workers_.push_back(std::make_unique<Worker>(set_, turned_, rotate));
   all_.resize(set.items.size());
   std::iota(all_.begin(), all_.end(), 0);
-  first_equal_ = all_;
-  for (std::size_t i = 1; i < all_.size(); ++i)
-    if (set.items[i] == set.items[i - 1]) first_equal_[i] = first_equal_[i - 1];
-  if (!all_equal()) return;
+  if (!set.items.empty() && set.items.front() != set.items.back()) return;
   for (Try& how : portfolio_) {  // the first in the window is as good as any
     how.rule.window = 1;
     how.rule.late = 0;
@@ -122,12 +108,6 @@ void Search::learn(std::uint64_t print, const Outcome& outcome) {
   if (outcome.all) return;
   if (failed_.size() >= most) failed_.clear();
   failed_.emplace(print, outcome);
-}
-
-// Equal rectangles in the order of their indices, so that orders of the same sizes are the same.
-void Search::make_canonical(std::vector<int>& order) const {
-  std::vector<int> next = first_equal_;
-  for (int& i : order) i = next[at(first_equal_[at(i)])]++;
 }
 
 void Search::spots_of(const Try& how, unsigned worker, std::vector<Spot>& out) const {
@@ -222,53 +202,55 @@ bool Search::settle(const Family& family, Best& best, Step& step) {
   best.height = step.outcome.height;
   best.spots = std::move(step.spots);
   best.method = step.how.name();
-  descend(family, best, step.how, step.order);
+  descend(family, best, step.how, order(step.how));
   return true;
 }
 
-// Makes the steps 0 .. count - 1 one after the other. make(i, step) sets `how`, `order` and `depth`, or
-// leaves the order empty where there is no such step. done(i, step) returns whether it changed what later
-// steps are made from. With threads some steps are computed ahead; those after a change are discarded and
-// made again.
-template <class Make, class Done>
-void Search::go_through(std::size_t count, const Family& family, Best& best, Make make, Done done) {
+// Makes the tries one after the other, each in a page depth(try) sizes below the best. With threads some are
+// computed ahead; those after an improvement are discarded and made again.
+//   placed   gets the share of its page that each try filled; null: not wanted
+template <class Depth>
+void Search::go_through(std::span<const Try> tries, const Family& family, Best& best, Depth depth_of,
+                        double* placed) {
   const std::size_t batch = threads_ > 1 ? 4 * threads_ : 1;
   while (workers_.size() < threads_) workers_.push_back(std::make_unique<Worker>(set_, turned_, rotate_));
   std::vector<Step> steps(batch);
-  for (std::size_t i = 0; i < count;) {
+  for (std::size_t i = 0; i < tries.size();) {
     if (!budget_.open()) return;
-    const std::size_t step_count = std::min(batch, count - i);
+    const std::size_t step_count = std::min(batch, tries.size() - i);
     for (std::size_t k = 0; k < step_count; ++k) {
-      steps[k].order = {};
-      steps[k].depth = 1;
-      make(i + k, steps[k]);
+      Step& step = steps[k];
+      step.how = tries[i + k];
+      int depth = depth_of(step.how);
       do {
-        steps[k].target = target(family, best, steps[k].depth);
-      } while (steps[k].target < family.least && --steps[k].depth > 0);
-      const int side = steps[k].target;
-      steps[k].print = print_in(print_of(steps[k].how, steps[k].order), family.width_at(side), side);
-      steps[k].known = known(steps[k].print);
+        step.target = target(family, best, depth);
+      } while (step.target < family.least && --depth > 0);
+      step.print = print_in(print_of(step.how, order(step.how)), family.width_at(step.target), step.target);
+      step.known = known(step.print);
     }
     parallel_chunks(step_count, threads_, 1, [&](std::size_t k, std::size_t, unsigned worker) {
       Step& step = steps[k];
       step.outcome = {};
-      if (step.order.empty() || step.target < family.least) return;
+      if (step.target < family.least) return;
       if (step.known) {
         step.outcome = *step.known;
         return;
       }
-      step.outcome = evaluate(step.how, step.order, family.width_at(step.target), step.target, false, worker);
+      step.outcome =
+          evaluate(step.how, order(step.how), family.width_at(step.target), step.target, false, worker);
       if (step.outcome.all) spots_of(step.how, worker, step.spots);
     });
-    bool changed = false;
-    for (std::size_t k = 0; k < step_count && !changed; ++k, ++i) {
+    bool better = false;
+    for (std::size_t k = 0; k < step_count && !better; ++k, ++i) {
       Step& step = steps[k];
       if (step.outcome.work == 0) continue;
       if (!budget_.open()) return;
       budget_.charge(step.outcome.work);
       learn(step.print, step.outcome);
-      const bool better = settle(family, best, step);
-      changed = done(i, step) || better;
+      if (placed)
+        placed[i] = static_cast<double>(step.outcome.placed) /
+                    (static_cast<double>(family.width_at(step.target)) * step.target);
+      better = settle(family, best, step);
       if (best.any && side_of(family, best) <= family.least) return;
     }
   }
@@ -314,90 +296,28 @@ void Search::go(const Family& family, Best& best) {
   if (!best.any && family.below == INT_MAX) start(family, best);
   const auto finished = [&] { return target(family, best, 1) < family.least || !budget_.open(); };
   if (finished()) return;
-  std::vector<Leader> leaders(portfolio_.size());
+  std::vector<Try> tries = portfolio_;
   // The first rule, which start() left before its end, comes last.
-  const std::size_t first = few() ? 1 : 0;
-  go_through(
-      portfolio_.size(), family, best,
-      [&](std::size_t i, Step& step) {
-        step.how = portfolio_[(i + first) % portfolio_.size()];
-        step.order = order(step.how);
-        // The slower rules begin with a much smaller page, which pays for their time; they are not monotone and
-        // may well succeed there.
-        if (!step.how.skyline && best.any)
-          step.depth =
-              std::max(1, (side_of(family, best) - family.least) / (step.how.fit == Fit::contact ? 6 : 10));
-      },
-      [&](std::size_t i, const Step& step) {
-        const double page = static_cast<double>(family.width_at(step.target)) * step.target;
-        leaders[i] = {step.how, {}, static_cast<double>(step.outcome.placed) / page, -1, -1};
-        return false;
-      });
+  if (few()) std::rotate(tries.begin(), tries.begin() + 1, tries.end());
+  // The slower rules begin with a much smaller page, which pays for their time; they are not monotone and may
+  // well succeed there.
+  const auto depth = [&](const Try& how) {
+    if (how.skyline || !best.any) return 1;
+    return std::max(1, (side_of(family, best) - family.least) / (how.fit == Fit::contact ? 6 : 10));
+  };
+  std::vector<double> placed(tries.size());
+  go_through(tries, family, best, depth, placed.data());
   if (finished()) return;
-  std::stable_sort(leaders.begin(), leaders.end(),
-                   [](const Leader& a, const Leader& b) { return a.share > b.share; });
+  std::vector<std::size_t> fullest(tries.size());
+  std::iota(fullest.begin(), fullest.end(), std::size_t{0});
+  std::ranges::stable_sort(fullest, std::greater(), [&](std::size_t i) { return placed[i]; });
+  fullest.resize(std::min<std::size_t>(8, fullest.size()));
+  std::vector<Try> again;
+  for (const std::size_t i : fullest) again.push_back(tries[i]);
   // A smaller page can succeed where a larger one did not: greedy rules are not monotone.
-  const std::size_t retried = std::min<std::size_t>(8, leaders.size());
-  for (int depth = 2; depth <= 3; ++depth)
+  for (const int deeper : {2, 3})
     go_through(
-        retried, family, best,
-        [&](std::size_t i, Step& step) {
-          step.how = leaders[i].how;
-          step.order = order(step.how);
-          step.depth = depth;
-        },
-        [](std::size_t, const Step&) { return false; });
-  if (finished() || all_equal()) return;
-  leaders.resize(std::min<std::size_t>(3, leaders.size()));
-  for (Leader& leader : leaders) leader.order = order(leader.how);
-  change_orders(family, best, leaders);
-}
-
-namespace {
-
-// A few rectangles change places or move within the order.
-void change(std::vector<int>& order, Random& random) {
-  const int n = static_cast<int>(order.size());
-  for (int k = 1 + random.below(3); k > 0; --k) {
-    const int i = random.below(n), j = random.below(n);
-    const auto from = order.begin() + std::min(i, j), to = order.begin() + std::max(i, j);
-    const int kind = random.below(4);
-    if (kind < 2) {
-      std::iter_swap(from, to);
-    } else if (kind == 2) {
-      std::rotate(from, to, to + 1);
-    } else {
-      std::rotate(from, from + 1, to + 1);
-    }
-  }
-}
-
-}  // namespace
-
-// Hill climbing on the orders of which most was placed: a changed order is kept where more of it was placed
-// before the try failed.
-void Search::change_orders(const Family& family, Best& best, std::vector<Leader>& leaders) {
-  go_through(
-      at(INT_MAX), family, best,
-      [&](std::size_t i, Step& step) {
-        Leader& leader = leaders[i % leaders.size()];
-        step.how = leader.how;
-        step.changed = leader.order;
-        Random random(i);
-        if (leader.target == target(family, best, 1)) {
-          change(step.changed, random);
-          make_canonical(step.changed);
-        }
-        step.order = step.changed;
-      },
-      [&](std::size_t i, const Step& step) {
-        Leader& leader = leaders[i % leaders.size()];
-        if (leader.target == step.target && step.outcome.placed <= leader.placed) return false;
-        leader.order = step.changed;
-        leader.placed = step.outcome.placed;
-        leader.target = step.target;
-        return true;
-      });
+        again, family, best, [deeper](const Try&) { return deeper; }, nullptr);
 }
 
 Outcome Search::fill(int width, int height, std::span<const int> members, std::size_t which,

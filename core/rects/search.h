@@ -18,7 +18,7 @@ class Search {
   ~Search();
 
   /// Improves `best` (a layout of the family, or none) until it has the least side or the budget ends.
-  /// Tries the portfolio first, then the most promising tries on still smaller pages, then changed orders.
+  /// Makes the tries of the portfolio, then those that filled most of their page again on still smaller pages.
   void run(const Family& family, Best& best) {
     std::vector<Best> none;
     run(family, best, {}, none);
@@ -47,7 +47,6 @@ class Search {
 
  private:
   struct Worker;
-  struct Leader;
   struct Step;
   Outcome evaluate(const Try& how, std::span<const int> order, int width, int height, bool partial,
                    unsigned worker);
@@ -58,8 +57,6 @@ class Search {
   const Outcome* known(std::uint64_t print) const;
   void learn(std::uint64_t print, const Outcome& outcome);
   bool few() const { return set_.size() <= most_few; }
-  bool all_equal() const { return first_equal_.empty() || first_equal_.back() == 0; }
-  void make_canonical(std::vector<int>& order) const;
   int target(const Family& family, const Best& best, int depth) const;
   void start(const Family& family, Best& best);
   void descend(const Family& family, Best& best, const Try& how, std::span<const int> order,
@@ -67,9 +64,9 @@ class Search {
   bool settle(const Family& family, Best& best, Step& step);
   void go(const Family& family, Best& best);
   void note(const Best& best);
-  template <class Make, class Done>
-  void go_through(std::size_t count, const Family& family, Best& best, Make make, Done done);
-  void change_orders(const Family& family, Best& best, std::vector<Leader>& leaders);
+  template <class Depth>
+  void go_through(std::span<const Try> tries, const Family& family, Best& best, Depth depth_of,
+                  double* placed);
 
   const Set& set_;
   Set turned_;  // width and height swapped
@@ -82,7 +79,6 @@ class Search {
   std::span<const int> marks_;
   std::vector<Best>* noted_ = nullptr;
   bool must_find_ = false;
-  std::vector<int> first_equal_;  // of each rectangle: the first of its size
   // The outcomes of tries that failed, by rule, order and page. No try is made twice, though it is charged
   // to the budget as often as it is asked for.
   std::unordered_map<std::uint64_t, Outcome> failed_;

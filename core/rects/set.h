@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "core/base/random.h"
 #include "core/rects/rects.h"
 
 namespace etak::rects {
@@ -45,16 +44,5 @@ inline constexpr int key_count = 8;
 const char* name_of(Key key);
 
 std::vector<int> ordered(const Set& set, std::span<const int> members, Key key);
-
-/// Small fixed generator, the same on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : numbers_(seed) {}
-  std::uint64_t next() { return numbers_.next(); }
-  int below(int limit) { return static_cast<int>((next() >> 32) * static_cast<std::uint64_t>(limit) >> 32); }
-
- private:
-  SplitMix numbers_;
-};
 
 }  // namespace etak::rects

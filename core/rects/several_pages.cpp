@@ -38,7 +38,7 @@ void take(const std::vector<Spot>& spots, int page, Packed& out, std::vector<int
 // of the budget unless it `must` give a layout: a part of what more effort would have done is not used.
 class PageFiller {
  public:
-  PageFiller(Filler& filler, Budget& budget, const std::vector<PageSize>& pages, std::size_t most, bool must)
+  PageFiller(Filler& filler, Budget& budget, const std::vector<RectSize>& pages, std::size_t most, bool must)
       : filler_(filler), budget_(budget), pages_(pages), most_(most), must_(must) {
     out_.spots.assign(filler_.set.items.size(), {-1, 0, false});
     out_.page_of.assign(filler_.set.items.size(), -1);
@@ -58,7 +58,7 @@ class PageFiller {
  private:
   bool goes_on() const { return filled_.left > 0 && out_.pages.size() < most_; }
   bool may_try() const { return must_ || budget_.open(); }
-  PageSize next_page() const { return pages_[std::min(out_.pages.size(), pages_.size() - 1)]; }
+  RectSize next_page() const { return pages_[std::min(out_.pages.size(), pages_.size() - 1)]; }
 
   // A page that takes nothing is left out; the one after it may be larger in the other direction.
   bool ends_with(std::int64_t area) {
@@ -69,7 +69,7 @@ class PageFiller {
   void by_one_offer() {
     std::vector<std::pair<int, Spot>> placed;
     while (goes_on() && may_try()) {
-      const PageSize page = next_page();
+      const RectSize page = next_page();
       const Outcome outcome = filler_.search.fill_next(page.width, page.height, placed);
       const int index = static_cast<int>(out_.pages.size());
       out_.pages.push_back(page);
@@ -88,7 +88,7 @@ class PageFiller {
     std::vector<Spot> spots, best_spots;
     const std::size_t tries = which < 0 ? std::min<std::size_t>(8, filler_.search.entries()) : 1;
     while (goes_on()) {
-      const PageSize page = next_page();
+      const RectSize page = next_page();
       std::int64_t best = -1;
       for (std::size_t t = 0; t < tries; ++t) {
         if (!may_try()) return;
@@ -109,7 +109,7 @@ class PageFiller {
 
   Filler& filler_;
   Budget& budget_;
-  const std::vector<PageSize>& pages_;
+  const std::vector<RectSize>& pages_;
   std::size_t most_;
   bool must_;
   Packed out_;
@@ -125,34 +125,22 @@ std::vector<int> ways(std::size_t entries, bool must) {
   return out;
 }
 
-// Drops empty pages.
-void drop_empty(Packed& packed) {
-  std::vector<int> number(packed.pages.size(), -1);
-  for (const int page : packed.page_of) number[at(page)] = 0;
-  std::vector<PageSize> kept;
-  for (std::size_t p = 0; p < number.size(); ++p) {
-    if (number[p] < 0) continue;
-    number[p] = static_cast<int>(kept.size());
-    kept.push_back(packed.pages[p]);
-  }
-  for (int& page : packed.page_of) page = number[at(page)];
-  packed.pages.swap(kept);
-}
-
 std::int64_t texels_of(const Packed& packed, const Frame& frame) {
   std::int64_t out = 0;
-  for (std::size_t p = 0; p < packed.pages.size(); ++p) {
-    out += std::int64_t{power_of_two_texels(frame, packed.pages[p].width)} *
-           power_of_two_texels(frame, packed.pages[p].height);
+  for (const RectSize& page : packed.pages) {
+    const auto power = [&](int length) {
+      return std::int64_t{std::bit_ceil(static_cast<unsigned>(frame.side_texels(length)))};
+    };
+    out += power(page.width) * power(page.height);
   }
   return out;
 }
 
 // Makes each page as small as the extent of its rectangles.
 void shrink(const Set& set, Packed& packed) {
-  for (PageSize& page : packed.pages) page = {};
+  for (RectSize& page : packed.pages) page = {};
   for (std::size_t i = 0; i < packed.spots.size(); ++i) {
-    PageSize& page = packed.pages[at(packed.page_of[i])];
+    RectSize& page = packed.pages[at(packed.page_of[i])];
     const Spot& spot = packed.spots[i];
     const RectSize& size = set.items[i];
     page.width = std::max(page.width, spot.x + (spot.rotated ? size.height : size.width));
@@ -169,7 +157,7 @@ Packed fill_pages(const Set& set, const Frame& frame, int width, int height, Cos
   const auto unit_area = std::int64_t{frame.unit} * frame.unit;
   const std::int64_t least =
       cost == Cost::texels ? set.area * unit_area : std::max<std::int64_t>(1, (set.area + page - 1) / page);
-  const std::vector<PageSize> page_of_all = {{width, height}};
+  const std::vector<RectSize> page_of_all = {{width, height}};
   Packed best;
   std::int64_t best_cost = 0, best_last = 0;
   for (const bool rotate : {false, true}) {
@@ -206,15 +194,9 @@ Packed pack_pages(const Set& set, const Frame& frame, int width, int height, Bud
 
 namespace {
 
-int power_below(int value) {
-  int out = 1;
-  while (out <= value / 2) out *= 2;
-  return out;
-}
-
 // Pages of powers of two with `total` texels, the largest first: full ones, then halves by halves.
-std::vector<PageSize> pages_of(std::int64_t total, int side, std::int64_t grain, bool lying) {
-  std::vector<PageSize> out;
+std::vector<RectSize> pages_of(std::int64_t total, int side, std::int64_t grain, bool lying) {
+  std::vector<RectSize> out;
   int w = side, h = side;
   while (total >= grain) {
     const std::int64_t area = std::int64_t{w} * h;
@@ -254,15 +236,15 @@ Packed pack_mixed(const Set& set, const Frame& frame, Budget& budget) {
     const auto holds = [&](std::int64_t total) {
       const std::size_t rules = std::min<std::size_t>(4, filler.search.entries());
       for (const bool lying : {true, false}) {
-        std::vector<PageSize> pages = pages_of(total, side_texels, grain, lying);
+        std::vector<RectSize> pages = pages_of(total, side_texels, grain, lying);
         if (pages.empty()) continue;
-        for (PageSize& page : pages) page = {page.width / frame.unit, page.height / frame.unit};
+        for (RectSize& page : pages) page = {page.width / frame.unit, page.height / frame.unit};
         for (const int which : ways(rules, false)) {
           if (!budget.open()) return false;
           Filled filled;
           Packed packed = PageFiller(filler, budget, pages, pages.size(), false).fill(which, filled);
           if (filled.left > 0) continue;
-          drop_empty(packed);
+          drop_empty(packed.pages, packed.page_of, [](int& page) -> int& { return page; });
           shrink(set, packed);
           const std::int64_t texels = texels_of(packed, frame);
           if (texels < best_texels) {

@@ -28,7 +28,7 @@ using RowsDone = std::function<void(std::size_t rows, unsigned worker)>;
 void render_cpu(const Scene& scene, const Environment* environment, unsigned threads, Precision precision,
                 Image& picture, const RowsDone& rows_done = {});
 
-/// The same in f32 as 8-bit codes for a display: to_codes() of that picture with the scene's exposure and
+/// Draws in f32 as 8-bit codes for a display: to_codes() of render_cpu()'s picture with the scene's exposure and
 /// transfer, but without a picture of floats in memory. For drawing many frames.
 void render_cpu_codes(const Scene& scene, const Environment* environment, unsigned threads, Image8& picture);
 

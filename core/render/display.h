@@ -22,7 +22,7 @@ std::optional<Tone> tone_named(std::string_view text);
 /// srgb_u8() (core/color/srgb.h). NaN gives code 0.
 Image8 to_codes(const Image& picture, double exposure, Transfer transfer, Tone tone = Tone::plain);
 
-/// The same for a row of pixels with four channels each.
+/// The codes of a row of pixels with four channels each.
 ///   codes   room for three codes for each pixel
 void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, Tone tone,
               std::uint8_t* codes);

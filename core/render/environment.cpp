@@ -193,7 +193,7 @@ Image environment_picture(const Studio& studio, int width, unsigned threads) {
 
 namespace {
 
-// Those of the studios that somebody holds, and the one of the standard light.
+// The environments of the studios that somebody holds, and the one of the standard light.
 struct KnownEnvironments {
   std::mutex guard;
   std::map<std::pair<std::string, double>, std::weak_ptr<const Environment>> made;

@@ -51,7 +51,7 @@ class Environment {
   ///   r       of any length but 0
   ///   level   [0, lobe_levels - 1]
   Vec3 at_level(const Vec3& r, double level) const;
-  /// The same with the level of a gloss.
+  /// at_level() with the level of a gloss.
   Vec3 specular(const Vec3& r, double gloss) const;
 
   /// One prefiltered map, for the lobe of its gloss.
@@ -72,7 +72,7 @@ class Environment {
   const LightSamples& samples(bool bright_apart, unsigned threads) const;
 
   /// Two maps between which lies the environment as a backdrop shows it, and the weight of the duller one.
-  /// They live as long as the environment.
+  /// The maps live as long as the environment.
   struct Blurred {
     const Image *sharp, *dull;
     double share;
@@ -130,11 +130,11 @@ Image environment_picture(const Studio& studio, int width = 1024, unsigned threa
 std::shared_ptr<const Environment> studio_environment(const std::string& name, double scale,
                                                       unsigned threads);
 
-/// The same at once, from a smaller picture and quickly prefiltered: to be shown until that is made.
+/// The studio at once, from a smaller picture and quickly prefiltered: to be shown until studio_environment() is made.
 std::shared_ptr<const Environment> quick_studio_environment(const std::string& name, double scale,
                                                             unsigned threads);
 
-/// The same where it has been made; null, at once, where it has not.
+/// What studio_environment() has made; null, at once, where it has not.
 std::shared_ptr<const Environment> known_studio_environment(const std::string& name, double scale);
 
 }  // namespace etak

@@ -53,7 +53,7 @@ inline constexpr double clear_ball_m = 0.02;
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
                          const Gloss& gloss);
 
-/// The same from an F0 result that was computed with other options (another outside medium, illuminant or
+/// The surface by an F0 result that was computed with other options (another outside medium, illuminant or
 /// observer); its linear sRGB and F82 are taken as they are. Throws Error for a refused result.
 ///   f0   the result for `dataset`, with linear sRGB as output space
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const F0Result& f0,
@@ -209,7 +209,7 @@ struct Scene {
   Backdrop backdrop;
   int width = 512, height = 512;
 
-  /// What its textures hold.
+  /// The quantities that the surface's textures hold.
   SurfaceTextures::Quantities textured() const {
     return textures ? textures->has : SurfaceTextures::Quantities{false, false, false, false};
   }

@@ -177,7 +177,7 @@ void add_environment(Chunk& c, const Environment& environment, const LightSample
   const auto narrow = [](const Vec3& w) { return vec3(real(w[0]), real(w[1]), real(w[2])); };
   for (std::size_t i = 0; i < c.count; ++i) {
     const PointSurface& here = surface.at(i);
-    // As the map has them, which is turned.
+    // The axes as the map has them, which is turned.
     const Vec3 normal = turn.to_map({c.normal[0][i], c.normal[1][i], c.normal[2][i]});
     const vec3 n = narrow(normal), v = narrow(turn.to_map({c.viewer[0][i], c.viewer[1][i], c.viewer[2][i]}));
     if (with_specular)

@@ -99,7 +99,7 @@ ETAK_RENDER_CLONES void aim_directional(Chunk& c, real x, real y, real z) {
   }
 }
 
-// As aim_directional(), but with the half vector in place of the light's direction; see
+// Aims as aim_directional() does, but with the half vector in place of the light's direction; see
 // Model::f32_batch_far().
 ETAK_RENDER_CLONES void aim_far(Chunk& c, const ChunkLight& light) {
   const real x = light.dx, y = light.dy, z = light.dz, hx = light.hx, hy = light.hy, hz = light.hz;

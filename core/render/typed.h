@@ -22,7 +22,7 @@ std::vector<double> typed_numbers(std::string_view text);
 ///   place   names it in messages
 LinearRgb typed_color(const std::string& place, std::string_view text);
 
-/// The same of a colour that is a share of light. Throws Error for a channel outside of 0 to 1.
+/// A typed colour that is a share of light. Throws Error for a channel outside of 0 to 1.
 LinearRgb typed_share(const std::string& place, std::string_view text);
 
 /// What is asked of a surface.

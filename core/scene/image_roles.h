@@ -22,7 +22,7 @@ struct ImageRole {
   bool is_unused() const { return role == "unused"; }
 };
 
-/// Those of all images of a document, in its order.
+/// The roles of all images of a document, in its order.
 ///   json   its text; `path` for messages
 /// Throws Error for broken JSON and for names that read_gltf() refuses.
 std::vector<ImageRole> image_roles(std::string_view json, const std::string& path);

@@ -27,8 +27,8 @@ struct DiffuseSpecular {
 ///   as_it_is               the shader uses it unchanged, as Schueler's does
 enum class DiffuseConvention { reduced_when_shading, as_it_is };
 
-/// The same appearance at normal incidence under another convention. Exact, but towards reduced_when_shading
-/// the colour may exceed 1 (F0 near 1), and there is none where F0 is 1 and the diffuse colour is not 0: it
+/// The texel that looks the same at normal incidence under another convention. Exact, but towards
+/// reduced_when_shading the colour may exceed 1 (F0 near 1), and there is none where F0 is 1 and the diffuse colour is not 0: it
 /// is returned unchanged then.
 DiffuseSpecular converted(const DiffuseSpecular& texel, DiffuseConvention from, DiffuseConvention to);
 

@@ -24,7 +24,7 @@ struct TexelUse {
   // x, y, width, height of what is touched inside the texture, bilinear footprint included; whole when
   // `tiles`
   std::array<int, 4> box{0, 0, 0, 0};
-  // The same before wrapping or clamping, after `fold`: where it leaves the texture the sampler's wrap
+  // The box before wrapping or clamping, after `fold`: where it leaves the texture the sampler's wrap
   // supplies the texels, and a gutter must hold them. Up to one texel unless `tiles` or the sampler clamps.
   // Bounded by +-2^29.
   std::array<int, 4> extent{0, 0, 0, 0};
@@ -43,7 +43,7 @@ struct TexelUse {
 /// more than four periods counts as touching everything too. Throws Error for UVs that are NaN or beyond
 /// +-1e6.
 TexelUse texel_use(const MaterialUses& uses, int material, const GltfTexture& texture, int width, int height);
-/// The same, for few materials of a scene: goes through all its uses.
+/// The texels that a material uses, for few materials of a scene: goes through all uses of the scene.
 TexelUse texel_use(const GltfScene& scene, int material, const GltfTexture& texture, int width, int height);
 
 /// The footprint of one triangle, as texel_use() sees it.

@@ -27,7 +27,7 @@ namespace etak {
 ///                      (core/spectrum/refinement.h)
 enum class Method { nm1, exact, nm5, nm10, nm20, e308_10, e308_20, legacy_point, legacy_schueler, automatic };
 
-/// Those with weights of their own: all but automatic, which chooses among them.
+/// The methods with weights of their own: all but automatic, which chooses among them.
 inline constexpr std::array all_methods{Method::nm1,     Method::exact,        Method::nm5,
                                         Method::nm10,    Method::nm20,         Method::e308_10,
                                         Method::e308_20, Method::legacy_point, Method::legacy_schueler};

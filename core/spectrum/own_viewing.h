@@ -19,8 +19,8 @@ namespace etak {
 std::shared_ptr<const Illuminant> own_illuminant(std::span<const double, grid_size> power,
                                                  std::string label = "own",
                                                  const std::string& place = "illuminant");
-/// The same from a table, linear between its rows and 0 beyond them. Throws Error (naming `place`) where it does not hold
-/// 380-780 nm, and as above.
+/// An illuminant from a table, linear between its rows and 0 beyond them. Throws Error (naming `place`) as
+/// own_illuminant() does, and where the table does not hold 380-780 nm.
 std::shared_ptr<const Illuminant> illuminant_of_table(const Spectrum& power, const std::string& place,
                                                       std::string label = "own");
 

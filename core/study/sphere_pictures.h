@@ -37,7 +37,7 @@ LightSetup sphere_lights();
 /// material has a diffuse colour; a model of both kinds draws the body itself.
 Scene sphere_scene(const Model& model, const SphereMaterial& material, double gloss, int side);
 
-/// The same for measuring times: under three lights all models take the same time, most of it for what they share, and
+/// The scene for measuring times: under three lights all models take the same time, most of it for what they share, and
 /// under so many the lobe has most of it.
 inline constexpr int timed_lights = 48, timed_side = 256;
 inline constexpr double timed_gloss = 0.5;

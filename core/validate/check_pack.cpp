@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "core/atlas/texels/page_pixels.h"
+#include "core/findings/output/formats.h"
+#include "core/findings/report.h"
 #include "core/image/load.h"
-#include "core/validate/engine.h"
-#include "core/validate/files/file_hints.h"
-#include "core/validate/files/files.h"
-#include "core/validate/files/find_targets.h"
+#include "core/validate/files/check.h"
+#include "core/validate/files/layout_targets.h"
 #include "core/validate/files/scene_on_pages.h"
-#include "core/validate/output/formats.h"
+#include "core/validate/find/file_hints.h"
+#include "core/validate/find/find_targets.h"
 
 namespace etak {
 namespace {
@@ -88,7 +89,8 @@ bool PackCheck::check_page(const AtlasLayout& layout, int page,
     };
     found.push_back(files_[target.label] = check_opened(target, open, settings, options_.threads));
   }
-  return report_of_run(std::move(found), options_.config, {}).passed || options_.never_fails;
+  return report_of_run(std::move(found), options_.config.settings, {options_.config.file}).passed ||
+         options_.never_fails;
 }
 
 const ValidationReport& PackCheck::finish(PackResult& report) {
@@ -96,7 +98,7 @@ const ValidationReport& PackCheck::finish(PackResult& report) {
   std::vector<CheckedFile> files;
   for (auto& [label, file] : files_) files.push_back(std::move(file));
   if (scene_) files.push_back(scene_->found());
-  report_ = report_of_run(std::move(files), options_.config, {});
+  report_ = report_of_run(std::move(files), options_.config.settings, {options_.config.file});
   report.validation = validation_json(report_, {options_.config.settings.fail_on, options_.version});
   return report_;
 }

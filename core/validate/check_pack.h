@@ -7,9 +7,9 @@
 #include <string>
 
 #include "core/atlas/pack/pack.h"
+#include "core/findings/report.h"
+#include "core/judge/target.h"
 #include "core/validate/config.h"
-#include "core/validate/finding.h"
-#include "core/validate/target.h"
 
 namespace etak {
 

@@ -6,13 +6,10 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/hash/content_hash.h"
-#include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
 #include "core/base/text/text.h"
-#include "core/validate/nearest.h"
-#include "core/validate/rules.h"
+#include "core/judge/rules.h"
 
 namespace etak {
 namespace {
@@ -56,30 +53,8 @@ void unknown_rule(std::string_view place, std::string_view id) {
 
 Severity severity_when_on(const Rule& rule, Profile profile) {
   if (profile == Profile::standard || profile == Profile::custom)
-    if (rule.severity != Severity::off) return rule.severity;
-  return rule.strict_severity != Severity::off ? rule.strict_severity : Severity::warning;
-}
-
-std::string settings_hash(const Settings& settings) {
-  const ZoneSettings& zone = settings.zone;
-  std::string text(name(settings.profile));
-  const auto add = [&](std::string_view part) { (text += part) += '\n'; };
-  add(name(settings.transfer));
-  add(settings.transfer_stated ? "stated" : "");
-  add(settings.alpha_is_transparency ? "transparency" : "mask");
-  for (const double value : {zone.low, zone.high, zone.min_area_share}) add(number(value, 17));
-  for (const int value : {static_cast<int>(zone.metric), zone.erode, zone.min_area_px})
-    add(std::to_string(value));
-  for (const Rule* rule : rules()) {
-    add(rule->id);
-    add(name(severity_of(*rule, settings)));
-    for (const RuleParameter& parameter : rule->parameters)
-      add(number(parameter_of(*rule, parameter.name, settings), 17));
-  }
-  text += known_materials(settings).hash();
-  ContentHash hash;
-  hash.add(text);
-  return hash.hex();
+    if (rule.severity.standard != Severity::off) return rule.severity.standard;
+  return rule.severity.strict != Severity::off ? rule.severity.strict : Severity::warning;
 }
 
 void apply_choice(const RuleChoice& choice, Settings& settings) {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/judge/settings.h"
+#include "core/judge/target.h"
 #include "core/validate/names/names.h"
-#include "core/validate/settings.h"
-#include "core/validate/target.h"
 
 namespace etak {
 
@@ -88,11 +88,6 @@ ValidateConfig validate_config(const ValidateSettings& settings, const std::stri
 /// Whether a configuration or an option may turn the rule off. False for the rules that tell what was not
 /// checked: ETK001, and 9xx except for ETK903.
 bool can_be_turned_off(const Rule& rule);
-
-/// A hash of 32 hexadecimal digits over the settings that decide what is found: rules with severities and
-/// parameters, zone, transfer, the meaning of alpha, and the materials of the library. Allowances and fail_on
-/// judge what was found and are left out.
-std::string settings_hash(const Settings& settings);
 
 /// The severity that "on" stands for: that of the profile (of "custom": of the default profile), where that
 /// is off that of the strict profile, and where that is off as well, a warning.

@@ -34,9 +34,9 @@ struct NoToml {};
 #include "core/base/number.h"
 #include "core/base/system.h"
 #include "core/base/text/text.h"
+#include "core/findings/suppress.h"
+#include "core/judge/rules.h"
 #include "core/validate/config.h"
-#include "core/validate/rules.h"
-#include "core/validate/suppress.h"
 #include "core/validate/user_config.h"
 
 namespace etak {

@@ -12,14 +12,14 @@
 #include "core/base/hash/content_hash.h"
 #include "core/base/hash/sha256.h"
 #include "core/base/parallel.h"
-#include "core/validate/engine.h"
-#include "core/validate/files/checked_before.h"
+#include "core/findings/report.h"
+#include "core/findings/shards/report_shard.h"
+#include "core/validate/files/check.h"
 #include "core/validate/files/cut_targets.h"
-#include "core/validate/files/files.h"
-#include "core/validate/files/find_targets.h"
 #include "core/validate/files/project_check.h"
-#include "core/validate/files/result_cache.h"
-#include "core/validate/shards/report_shard.h"
+#include "core/validate/files/result_text.h"
+#include "core/validate/files/tiles.h"
+#include "core/validate/find/find_targets.h"
 
 namespace etak {
 namespace {
@@ -75,20 +75,11 @@ class Checks {
   }
 
  private:
-  // Of the file that the report gives the hash of, where the look-up has read it; else empty.
-  std::string hash_of_first(std::size_t i) const {
-    const FoundTarget& found = targets_[i];
-    if (found.target.files.empty()) return {};
-    for (std::size_t at = 0; at < keys_[i].hashes.size(); ++at)
-      if (found.depends[at] == found.target.files.front().path) return keys_[i].hashes[at];
-    return {};
-  }
-
   // Keeps the result of a target and moves the target there. What only its check needed is freed here, by the
   // thread that has made it.
   void finish(std::size_t i, CheckedFile file) {
     FoundTarget& found = targets_[i];
-    if (request_.hashes) file.sha256 = hash_of_first(i);
+    if (request_.hashes) file.sha256 = keys_[i].sha256;
     file.place = found.place;
     file.target = std::make_shared<const CheckTarget>(std::move(found.target));
     files_[i] = std::move(file);
@@ -97,11 +88,25 @@ class Checks {
     done_[i] = 1;
   }
 
+  // What is known of the files of a target before they are read, where its result is kept for the next run.
+  std::vector<sys::FileInfo> known_files(const FoundTarget& found) const {
+    return request_.before ? look_at(found.depends) : std::vector<sys::FileInfo>();
+  }
+
+  void keep_before(const FoundTarget& found, const std::vector<sys::FileInfo>& known,
+                   const CheckedFile& file) {
+    if (!request_.before || file.unreadable) return;
+    CheckedFile kept = file;
+    kept.target = nullptr;
+    kept.stats = {};  // of work that the next run does not do
+    request_.before->keep(identity_of(found), found.depends, known, std::move(kept));
+  }
+
   void look_back(const std::string& settings) {
     request_.before->begin(settings);
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
-        auto file = request_.before->find(targets_[i]);
+        auto file = request_.before->find(identity_of(targets_[i]), targets_[i].depends);
         if (!file) continue;
         finish(i, std::move(*file));
       }
@@ -110,16 +115,26 @@ class Checks {
   }
 
   void look_up(const std::string& settings) {
-    cache_.emplace(request_.cache, settings, request_.version);
+    CacheOptions options = request_.cache;
+    options.kind = "validate";
+    cache_.emplace(std::move(options), settings, request_.version);
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
         if (done_[i] != 0) continue;
-        std::vector<sys::FileInfo> before;
-        if (request_.before) before = CheckedBefore::look_at(targets_[i]);
-        keys_[i] = cache_->key_of(targets_[i]);
-        auto file = cache_->find(keys_[i]);
-        if (!file) continue;
-        if (request_.before) request_.before->keep(targets_[i], before, *file);
+        const FoundTarget& found = targets_[i];
+        const auto before = known_files(found);
+        const auto& files = found.target.files;
+        keys_[i] =
+            cache_->key_of(identity_of(found), found.depends, found.plain ? SeenAsFile::yes : SeenAsFile::no,
+                           request_.hashes && !files.empty() ? &files.front().path : nullptr);
+        const auto text = cache_->find(keys_[i]);
+        if (!text) continue;
+        auto file = read_result_text(*text);
+        if (!file) {
+          cache_->folder().refuse_hit();
+          continue;
+        }
+        keep_before(found, before, *file);
         finish(i, std::move(*file));
       }
     });
@@ -133,11 +148,11 @@ class Checks {
       files_[i] = check_material(materials.materials[i - targets_.size()], *materials.library, request_.door,
                                  settings, materials.most_texels, threads, materials.kept.get());
     } else {
-      std::vector<sys::FileInfo> before;
-      if (request_.before) before = CheckedBefore::look_at(targets_[i]);
-      CheckedFile file = check(targets_[i].target, request_.door, settings, threads);
-      if (request_.before) request_.before->keep(targets_[i], before, file);
-      if (cache_) cache_->keep(keys_[i], targets_[i], file);
+      const FoundTarget& found = targets_[i];
+      const auto before = known_files(found);
+      CheckedFile file = check(found.target, request_.door, settings, threads);
+      keep_before(found, before, file);
+      if (cache_ && !file.unreadable) cache_->keep(keys_[i], found.depends, result_text(file));
       return finish(i, std::move(file));
     }
     done_[i] = 1;
@@ -198,32 +213,23 @@ bool names_whole_tree(const ValidationRequest& request) {
   });
 }
 
-// A digest of everything but the files that decides what a run finds and how it ends.
+// A digest of everything but the files that decides what a run finds and how it ends: the options of the line,
+// and what no option says, which are the configuration and the date.
 std::string options_digest(const ValidationRequest& request) {
   const Settings& settings = request.config.settings;
   ContentHash hash;
-  const auto add = [&](std::string_view text) { hash.add_part(text); };
-  const auto add_flag = [&](bool flag) { add(flag ? "1" : "0"); };
-  add(settings_hash(settings));
-  add(name(settings.fail_on));
+  hash.add_part(request.line_digest);
+  hash.add_part(settings_hash(settings));
+  hash.add_part(name(settings.fail_on));
   bool expires = false;
   for (const AllowEntry& entry : settings.allow) {
     for (const std::string* text :
          {&entry.rule, &entry.file, &entry.material, &entry.tile, &entry.reason, &entry.expires})
-      add(*text);
+      hash.add_part(*text);
     expires = expires || !entry.expires.empty();
   }
-  if (expires) add(request.today.empty() ? today_here() : request.today);
-  add(request.role ? name(*request.role) : "");
-  add(request.manifest.material);
-  add(request.manifest.surface_class);
-  add(baseline_json(request.known));
-  const VerdictOptions& verdict = request.verdict;
-  add(verdict.max_warnings ? std::to_string(*verdict.max_warnings) : "");
-  add(verdict.min_severity);
-  for (const bool flag : {names_whole_tree(request), request.must_check, request.pass_unknown,
-                          follows_links(), verdict.never_fails, verdict.exit_zero})
-    add_flag(flag);
+  if (expires && request.today.empty()) hash.add_part(today_here());
+  hash.add_part(names_whole_tree(request) ? "whole" : "");
   return hash.hex();
 }
 
@@ -289,9 +295,9 @@ ValidationReport validate(ValidationRequest request) {
   std::vector<CheckedFile> files = with_tiles_joined(checks.take_files());
   std::move(found.lone.begin(), found.lone.end(), std::back_inserter(files));
   std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));
-  ValidationReport report = report_of_run(
-      std::move(files), request.config,
-      {request.today, names_whole_tree(request), request.known, request.renew_known, shard.get()});
+  ValidationReport report = report_of_run(std::move(files), request.config.settings,
+                                          {request.config.file, request.today, names_whole_tree(request),
+                                           request.known, request.renew_known, shard.get()});
   report.not_opened = std::move(found.no_files);
   report.run = run;
   report.cache = checks.cache_use();

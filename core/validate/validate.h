@@ -8,25 +8,25 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files/cache_use.h"
-#include "core/base/shards/shards.h"
+#include "core/findings/baseline.h"
+#include "core/findings/report.h"
+#include "core/findings/verdict_options.h"
 #include "core/image/picture.h"
+#include "core/judge/target.h"
 #include "core/project/project.h"
-#include "core/validate/baseline.h"
+#include "core/runs/cache_use.h"
+#include "core/runs/shards.h"
 #include "core/validate/config.h"
-#include "core/validate/finding.h"
 #include "core/validate/names/listing.h"
-#include "core/validate/target.h"
-#include "core/validate/verdict_options.h"
 
 namespace etak {
 
-class CheckedBefore;  // core/validate/files/checked_before.h
+class CheckedBefore;  // core/validate/files/result_text.h
 class KeptPictures;
 
 // The interface of the validator (target etak::validate_files). check_pack.h checks an atlas while it is
 // packed, core/pages/finding_pictures.h makes masks and thumbnails of findings, and
-// core/validate/output/formats.h writes the report.
+// core/findings/output/formats.h writes the report.
 
 /// Materials of a project, which are no files: their pictures or colours are checked, and the records that
 /// their F0 comes from.
@@ -71,6 +71,7 @@ struct ValidationRequest {
   bool list_files = false;     // for list_files()
   std::optional<Shard> shard;  // only this part of what is found is checked
   VerdictOptions verdict;      // of a shard, which keeps it for the merge
+  std::string line_digest;     // of a shard: of all options that it was asked for with
   unsigned threads = 1;        // the report is the same for any number of them
   // Called by the thread that called validate(), with how many of the checks are done.
   std::function<void(std::size_t done, std::size_t all)> progress;

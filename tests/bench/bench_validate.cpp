@@ -14,11 +14,12 @@
 #include "core/base/parallel.h"
 #include "core/image/image_io.h"
 #include "core/image/load.h"
+#include "core/judge/rules.h"
 #include "core/scene/gltf.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/check.h"
+#include "core/validate/files/load.h"
 #include "core/validate/files/metal_rough.h"
-#include "core/validate/rules.h"
-#include "tests/core/validate/corpus.h"
+#include "tests/core/judge/corpus.h"
 
 using namespace etak;
 using namespace etak::test;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/validate/baseline.h"
+#include "core/findings/baseline.h"
 
 using namespace etak;
 

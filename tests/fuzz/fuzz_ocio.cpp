@@ -37,7 +37,8 @@ bool good_config_opens() {
       "colorspace: "
       "a}]}\n"
       "colorspaces: [!<ColorSpace> {name: a}]\n");
-  return OcioSpace::open(path, "a").name() == "a" && OcioDisplay::open(path, "d", "v").view() == "v";
+  return OcioConfig::open(path).space("a").name() == "a" &&
+         OcioConfig::open(path).display("d", "v").view() == "v";
 }
 
 template <class Attempt>
@@ -62,17 +63,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const bool opens = good_config_opens();
   assert(opens);
   const std::string& path = config_file(text);
-  attempt([&] { (void)OcioSpace::open(path, space).from_xyz({0.2, 0.3, 0.4}, {0.95, 1, 1.09}); });
+  attempt([&] { (void)OcioConfig::open(path).space(space).from_xyz({0.2, 0.3, 0.4}, {0.95, 1, 1.09}); });
   attempt([&] {
     std::array<float, 6> rgb{0, 0.2F, 1, 2, -1, 1e-3F};
-    OcioSource::open(path, space).to_linear_srgb(rgb.data(), 2);
+    OcioConfig::open(path).source(space).to_linear_srgb(rgb.data(), 2);
   });
   attempt([&] {
     std::array<float, 6> rgb{0, 0.2F, 1, 2, -1, 1e-3F};
-    OcioDisplay::open(path, display, view).apply(rgb.data(), 2);
+    OcioConfig::open(path).display(display, view).apply(rgb.data(), 2);
   });
   attempt([&] {
-    for (const OcioDisplayInfo& each : ocio_displays(path)) assert(!each.name.empty());
+    for (const OcioDisplayInfo& each : OcioConfig::open(path).displays()) assert(!each.name.empty());
   });
   return 0;
 }

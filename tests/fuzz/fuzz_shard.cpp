@@ -12,8 +12,8 @@
 
 #include "core/base/error.h"
 #include "core/base/hash/sha256.h"
-#include "core/validate/output/formats.h"
-#include "core/validate/shards/report_shard.h"
+#include "core/findings/output/formats.h"
+#include "core/findings/shards/report_shard.h"
 
 using namespace etak;
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/judge/rules.h"
 #include "core/validate/config.h"
-#include "core/validate/rules.h"
 
 using namespace etak;
 

@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/validate/engine.h"
-#include "core/validate/files/files.h"
+#include "core/judge/check_pictures.h"
+#include "core/validate/files/layout_targets.h"
 
 using namespace etak;
 

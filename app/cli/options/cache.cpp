@@ -9,13 +9,9 @@
 
 namespace etak::cli {
 
-void add_cache_options(Command verb, CacheArguments& arguments, const std::string& kept,
-                       const std::string& group) {
+void add_cache_options(Command verb, CacheArguments& arguments, const std::string& kept) {
   const auto add = [&](const char* name, std::string& value, const std::string& help, const char* takes) {
-    Option option = verb.option(name, value, help);
-    option.value_name(takes);
-    if (!group.empty()) option.group(group);
-    return option;
+    return verb.option(name, value, help).value_name(takes).group("Cache").in_shards(InShards::free);
   };
   add("--cache", arguments.folder, "keep " + kept + "; any number of machines may share DIR", "DIR");
   add("--cache-key", arguments.key,
@@ -24,10 +20,11 @@ void add_cache_options(Command verb, CacheArguments& arguments, const std::strin
   add("--cache-size", arguments.size,
       "most that the cache may take, such as 500M or 20G (default: 2G); what was used longest ago goes first",
       "SIZE");
-  Option stats = verb.flag("--cache-stats", arguments.stats,
-                           "say on standard error what was found in the cache, written, and is there now");
-  if (!group.empty()) stats.group(group);
-  add("--cache-report", arguments.report, "the same as JSON", "FILE");
+  verb.flag("--cache-stats", arguments.stats,
+            "say on standard error what was found in the cache, written, and is there now")
+      .group("Cache")
+      .in_shards(InShards::free);
+  add("--cache-report", arguments.report, "the same as JSON", "FILE").in_shards(InShards::one_file);
 }
 
 CacheOptions cache_options(const CacheArguments& arguments) {

@@ -6,7 +6,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/output/output.h"
-#include "core/base/files/cache_folder.h"
+#include "core/runs/cache_folder.h"
 
 namespace etak::cli {
 
@@ -17,10 +17,8 @@ struct CacheArguments {
 };
 
 /// Adds --cache, --cache-key, --cache-size, --cache-stats and --cache-report.
-///   kept    what an entry saves: "results here and do not check the same files again"
-///   group   of the help; empty: that of all options
-void add_cache_options(Command verb, CacheArguments& arguments, const std::string& kept,
-                       const std::string& group);
+///   kept   what an entry saves: "results here and do not check the same files again"
+void add_cache_options(Command verb, CacheArguments& arguments, const std::string& kept);
 
 /// The options of the line as values; without --cache the path is empty. Throws Error.
 CacheOptions cache_options(const CacheArguments& arguments);

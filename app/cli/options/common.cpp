@@ -35,10 +35,13 @@ void add_common_options(CommandLine& line, CommonArguments& arguments) {
     if (!verb.find("--jobs")) add_thread_option(verb, arguments.threads);
     if (!verb.find("--progress")) add_progress_option(verb, arguments.progress);
     if (!verb.find("--stats"))
-      verb.flag("--stats", arguments.stats, "say on standard error how long the run took").common();
+      verb.flag("--stats", arguments.stats, "say on standard error how long the run took")
+          .in_shards(InShards::free)
+          .common();
     if (!verb.find("--verbose"))
       verb.flag("-v,--verbose", arguments.verbose,
                 "say on standard error what configuration is in force, as etak config does")
+          .in_shards(InShards::free)
           .common();
   }
 }

@@ -4,7 +4,9 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 
 namespace etak::cli {
@@ -56,7 +58,8 @@ void add_shard_option(Command verb, std::string& text) {
   verb.option("--shard", text,
               "only the part I of N of the work, which etak merge joins; slurm: the part of this task of a "
               "Slurm array")
-      .value_name("I/N|slurm");
+      .value_name("I/N|slurm")
+      .in_shards(InShards::one_file);
 }
 
 std::optional<Shard> asked_shard(const std::string& text) {
@@ -67,11 +70,26 @@ std::optional<Shard> asked_shard(const std::string& text) {
   return out;
 }
 
-void refuse_pipes_of_shard(const std::vector<std::string>& inputs) {
-  for (const std::string& input : inputs)
-    if (is_pipe_input(input))
-      throw Error::at(option, typed_input(input) + " is a pipe, which one program alone can read",
-                      "files and folders that every task can read");
+void check_can_be_cut(const std::vector<GivenOption>& line) {
+  for (const GivenOption& each : line) {
+    if (each.traits.in_shards == InShards::whole)
+      throw Error::at(each.name, "in a run that is cut into shards", "one of both");
+    for (const std::string& value : each.values)
+      if (each.traits.reads_file && is_pipe_input(value))
+        throw Error::at(option, typed_input(value) + " is a pipe, which one program alone can read",
+                        "files and folders that every task can read");
+  }
+}
+
+std::string line_digest(const std::vector<GivenOption>& line) {
+  ContentHash hash;
+  for (const GivenOption& each : line) {
+    if (each.traits.in_shards != InShards::same || each.standard) continue;
+    hash.add_part(each.name);
+    for (const std::string& value : each.values)
+      hash.add_part(each.traits.reads_file ? read_file(value) : value);
+  }
+  return hash.hex();
 }
 
 }  // namespace etak::cli

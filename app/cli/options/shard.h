@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
-#include "core/base/shards/shards.h"
+#include "core/runs/shards.h"
 
 namespace etak::cli {
 
@@ -17,8 +17,13 @@ void add_shard_option(Command verb, std::string& text);
 /// of. nullopt where `text` is empty: the variables alone cut nothing. Throws Error.
 std::optional<Shard> asked_shard(const std::string& text);
 
-/// Throws Error for standard input or a pipe among the inputs of a shard: a pipe can be read by one program
-/// only.
-void refuse_pipes_of_shard(const std::vector<std::string>& inputs);
+/// Throws Error where the line gives an option that needs the whole run, and for standard input or a pipe, which
+/// one program alone can read.
+void check_can_be_cut(const std::vector<GivenOption>& line);
+
+/// A digest of what the line gives and may change the result (InShards::same): the values of options, and the
+/// bytes of the files that they name. Equal for lines that differ in the order of their options. Throws Error
+/// where such a file cannot be read.
+std::string line_digest(const std::vector<GivenOption>& line);
 
 }  // namespace etak::cli

@@ -6,8 +6,10 @@
 #include <string_view>
 
 #include "app/cli/output/output.h"
+#include "app/cli/usage.h"
 #include "core/base/error.h"
 #include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
 
 namespace etak::cli {
 namespace {
@@ -67,14 +69,6 @@ std::vector<std::string> endings_of(const std::vector<std::string>& forms, std::
   return out;
 }
 
-// "a, b or c".
-std::string listed(const std::vector<std::string>& all, const char* before_last) {
-  std::string out;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    out += (i == 0 ? "" : i + 1 < all.size() ? ", " : before_last) + all[i];
-  return out;
-}
-
 }  // namespace
 
 void settle_form(OutputArguments& arguments, const std::vector<std::string>& formats, const std::string& verb,
@@ -96,7 +90,7 @@ void settle_form(OutputArguments& arguments, const std::vector<std::string>& for
   if (form.empty()) {
     throw Error::at("-o",
                     printable(arguments.file, 200) + " has an ending that no form of " + verb + " goes with",
-                    listed(endings_of(formats, verb), ", ") + ", or --format beside it");
+                    joined(endings_of(formats, verb)) + ", or --format beside it");
   }
   arguments.format = form;
   arguments.form_asked_by = "-o " + arguments.file;
@@ -114,9 +108,9 @@ void refuse_form(const OutputArguments& arguments, const std::string& verb, cons
         break;
       }
   }
-  throw Error::at(
-      arguments.form_asked_by, found,
-      (else_.empty() ? "" : else_ + ", or ") + listed(by_ending ? endings_of(forms, verb) : forms, " or "));
+  throw Error::at(arguments.form_asked_by, found,
+                  (else_.empty() ? "" : else_ + ", or ") +
+                      listed(by_ending ? endings_of(forms, verb) : forms, ", ", " or "));
 }
 
 }  // namespace etak::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/output/output.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 
@@ -9,6 +10,8 @@
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/output_file.h"
+#include "core/base/number.h"
+#include "core/base/system.h"
 
 namespace etak::cli {
 namespace {
@@ -43,18 +46,24 @@ void add_output_options(Command verb, OutputArguments& arguments, const std::vec
     const Option format =
         verb.option("--format", arguments.format, "form of the output; else the ending of -o tells it")
             .one_of(formats)
-            .show_default();
+            .show_default()
+            .in_shards(InShards::output);
     verb.when_read([verb, &arguments, formats, format] {
       settle_form(arguments, formats, "etak " + verb.name(), format.given());
     });
   }
-  verb.option("-o,--output", arguments.file, "file to write instead of standard output").value_name("FILE");
-  verb.flag("--force", arguments.force, "let -o replace a file; ETAK_FORCE=1 says the same");
-  verb.flag("-q,--quiet", arguments.quiet, "no remarks and no progress; errors still appear");
+  verb.option("-o,--output", arguments.file, "file to write instead of standard output")
+      .value_name("FILE")
+      .in_shards(InShards::output);
+  verb.flag("--force", arguments.force, "let -o replace a file; ETAK_FORCE=1 says the same")
+      .in_shards(InShards::output);
+  verb.flag("-q,--quiet", arguments.quiet, "no remarks and no progress; errors still appear")
+      .in_shards(InShards::output);
   verb.option(
           "--color", arguments.color,
           "colour swatches: auto (on a terminal; NO_COLOR, CLICOLOR and CLICOLOR_FORCE count), always, never")
       .one_of({"auto", "always", "never"})
+      .in_shards(InShards::free)
       .common();
 }
 
@@ -88,6 +97,22 @@ void complain(std::string_view message) {
 
 void remark(const OutputArguments& arguments, std::string_view message) {
   if (!arguments.quiet) complain(message);
+}
+
+namespace {
+
+// Widths are clamped to this range: nobody reads narrower text, and no terminal is wider.
+constexpr double least_columns = 20, most_columns = 10000;
+
+}  // namespace
+
+std::size_t columns_of(int descriptor) {
+  const char* const asked = std::getenv("COLUMNS");
+  if (double value = 0; asked != nullptr && parse_number(asked, value) && value > 0)
+    return static_cast<std::size_t>(std::clamp(value, least_columns, most_columns));
+  const unsigned columns = sys::terminal_columns(descriptor);
+  return columns == 0 ? 0
+                      : static_cast<std::size_t>(std::clamp<double>(columns, least_columns, most_columns));
 }
 
 }  // namespace etak::cli

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/cli/output/terminal.h"
+#include "app/cli/output/output.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/json/json_text.h"
 #include "core/base/number.h"
@@ -29,6 +29,7 @@ void add_progress_option(Command verb, std::string& progress) {
               "of long work, on standard error: auto (a line on a terminal), json (an object a line), none")
       .one_of({"auto", "json", "none"})
       .show_default()
+      .in_shards(InShards::free)
       .common();
 }
 

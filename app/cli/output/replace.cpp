@@ -15,7 +15,7 @@
 #include "core/base/files/output_target.h"
 #include "core/base/files/read_places.h"
 #include "core/base/system.h"
-#include "core/validate/baseline.h"
+#include "core/findings/baseline.h"
 #include "core/validate/user_config.h"
 
 namespace etak::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/pack/jobs.h"
+#include "app/cli/pack/pack.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,15 +9,14 @@
 #include "app/cli/options/shard.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
-#include "app/cli/pack/kept.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
-#include "core/base/files/watched_files.h"
 #include "core/base/json/json_text.h"
 #include "core/base/system.h"
+#include "core/runs/watched_files.h"
 #include "core/scene/gltf.h"
 
 namespace etak::cli {
@@ -94,15 +93,13 @@ std::string job_json(const PackSettings& job, int status, const std::string& fai
 
 }  // namespace
 
-void check_can_be_cut(const PackArguments& a) {
+void check_can_be_cut(const PackArguments& a, const std::vector<GivenOption>& line) {
   if (a.batch.empty() || a.rects.asked)
     throw Error::at("etak pack", "no --batch to cut into shards", "--batch FILE");
-  if (a.watch) throw Error::at("--watch", "in a run that is cut into shards", "one of both");
-  refuse_pipes_of_shard({a.batch, a.check.config});
+  check_can_be_cut(line);
 }
 
 int pack_batch(PackArguments& line) {
-  if (!line.shard.empty()) check_can_be_cut(line);
   if (!line.settings.input.empty() || !line.settings.out.empty())
     throw Error::at("--batch", "an input or -o beside it", "both in the jobs of the file");
   const std::vector<PackSettings> jobs = read_jobs(line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/pack/kept.h"
+#include "app/cli/pack/pack.h"
 
 #include <array>
 
@@ -8,9 +8,9 @@
 #include "core/base/files/output_target.h"
 #include "core/base/files/read_places.h"
 #include "core/exchange/data_folder.h"
+#include "core/judge/settings.h"
 #include "core/scene/gltf.h"
-#include "core/validate/files/file_hints.h"
-#include "core/validate/settings.h"
+#include "core/validate/find/file_hints.h"
 
 namespace etak::cli {
 

@@ -11,7 +11,6 @@
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/pictures/sheet.h"
-#include "app/cli/pictures/sweep.h"
 #include "core/base/error.h"
 #include "core/base/files/output_target.h"
 #include "core/base/json/json_text.h"
@@ -72,7 +71,8 @@ void write_picture(const RenderArguments& arguments, const Scene& scene, const I
     return write_png(arguments.picture, to_codes(picture, scene.exposure, scene.transfer, scene.tone),
                      arguments.stats.force);
   Image shown = linear;
-  OcioDisplay::open(arguments.ocio, arguments.display, arguments.view)
+  OcioConfig::open(arguments.ocio)
+      .display(arguments.display, arguments.view)
       .apply(shown.values.data(), shown.pixel_count());
   Image8 codes(shown.width, shown.height, 3);
   std::transform(shown.values.begin(), shown.values.end(), codes.values.begin(), to_code);

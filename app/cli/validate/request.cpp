@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/validate/request.h"
+#include "app/cli/validate/validate.h"
 
 #include <utility>
 
 #include "app/cli/inputs/inputs.h"
-#include "app/cli/options/empty_list.h"
+#include "app/cli/options/options.h"
 #include "app/cli/options/shard.h"
 #include "app/cli/pictures/pictures.h"
 #include "app/cli/validate/changed.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
-#include "core/validate/baseline.h"
-#include "core/validate/nearest.h"
+#include "core/findings/baseline.h"
+#include "core/judge/nearest.h"
 
 namespace etak::cli {
 
@@ -62,6 +62,7 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   out.hashes = arguments.output.format == "json";
   out.threads = thread_count(arguments.threads);
   out.shard = asked_shard(arguments.shard);
+  out.line_digest = arguments.line_digest;
   out.verdict = verdict_options(arguments);
   return out;
 }

@@ -7,12 +7,10 @@
 #include <memory>
 #include <optional>
 
-#include "app/cli/options/shard.h"
 #include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/pictures/pictures.h"
-#include "app/cli/validate/request.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/output_file.h"
@@ -22,13 +20,13 @@
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/base/system.h"
+#include "core/findings/baseline.h"
+#include "core/findings/output/formats.h"
+#include "core/findings/suppress.h"
+#include "core/judge/rules.h"
 #include "core/pages/finding_pictures.h"
 #include "core/pages/repair_page.h"
-#include "core/validate/baseline.h"
-#include "core/validate/output/formats.h"
 #include "core/validate/repairs/repair_files.h"
-#include "core/validate/rules.h"
-#include "core/validate/suppress.h"
 #include "core/validate/validate.h"
 
 namespace etak::cli {
@@ -199,13 +197,6 @@ int check_files(ValidateArguments& arguments) {
   const auto least = severity_named(arguments.min_severity);
   if (!arguments.min_severity.empty() && (!least || *least == Severity::off))
     throw Error::at("--min-severity", printable(arguments.min_severity), "info, warning or error");
-  if (!arguments.shard.empty()) {
-    (void)asked_shard(arguments.shard);
-    check_can_be_cut(arguments);
-    if (!arguments.write_baseline.empty())
-      throw Error::at("--write-baseline", "in one shard, and a baseline holds the findings of all",
-                      "etak merge SHARD... --write-baseline FILE");
-  }
   if (arguments.list_files) return list_found_files(arguments);
   check_targets(arguments);
   // A look-up in a cache takes microseconds, of which memory that comes anew from the system is a good part.
@@ -234,17 +225,6 @@ int check_files(ValidateArguments& arguments) {
   if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
   if (!arguments.watch) keep_to_end(std::move(report));
   return status;
-}
-
-void check_can_be_cut(const ValidateArguments& a) {
-  for (const auto& [option, given] : {std::pair{"--list-files", a.list_files},
-                                      {"--list-rules", a.list_rules},
-                                      {"--watch", a.watch},
-                                      {"--fix", !a.fix_folder.empty()},
-                                      {"--mask", !a.mask_folder.empty()}})
-    if (given) throw Error::at(option, "in a run that is cut into shards", "one of both");
-  refuse_pipes_of_shard(a.paths);
-  refuse_pipes_of_shard({a.files_from, a.baseline, a.settings.config});
 }
 
 VerdictOptions verdict_options(const ValidateArguments& arguments) {

@@ -11,12 +11,9 @@
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "core/base/files/output.h"
+#include "core/findings/shards/report_shard.h"
 #include "core/validate/config.h"
-#include "core/validate/shards/report_shard.h"
-
-namespace etak {
-class CheckedBefore;  // core/validate/files/checked_before.h
-}
+#include "core/validate/validate.h"
 
 namespace etak::cli {
 
@@ -31,7 +28,7 @@ struct ValidateArguments {
   bool exit_zero = false, list_rules = false, list_files = false, stats = false;
   std::string baseline, write_baseline, mask_folder, fix_folder;
   CacheArguments cache;
-  std::string shard;  // --shard as typed
+  std::string shard, line_digest;  // --shard as typed, and with it line_digest() of the line
   bool watch = false;
   std::shared_ptr<CheckedBefore> before;  // of --watch, from one run to the next
   unsigned threads = 0;
@@ -45,9 +42,6 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
 /// Checks files, or lists them with --list-files. Returns the exit status; throws Error.
 int check_files(ValidateArguments& arguments);
 
-/// Throws Error for options that need the whole run, and for pipes, which one task alone can read.
-void check_can_be_cut(const ValidateArguments& arguments);
-
 /// Tells on standard error what was not checked, and why.
 void tell_not_found(const ValidateArguments& arguments, const ValidationReport& report);
 
@@ -60,5 +54,16 @@ int finish_report(const ValidateArguments& arguments, const Settings& settings, 
 
 /// The verdict that the options ask for.
 VerdictOptions verdict_options(const ValidateArguments& arguments);
+
+/// The materials of the library with the folders of --library and ETAK_LIBRARY; null where there are no such
+/// folders, which stands for the built-in library. Throws Error for a folder that cannot be read.
+std::shared_ptr<const KnownMaterials> asked_materials(Library& library);
+
+/// The request for validate() that the line describes. Throws Error.
+ValidationRequest validation_request(ValidateArguments& arguments);
+
+/// Checks the files, and again whenever one of them changes, until the process is interrupted. Throws Error for
+/// options that do not go with it, and what the first check throws.
+int watch_files(ValidateArguments& arguments);
 
 }  // namespace etak::cli

@@ -2,12 +2,11 @@
 #include <memory>
 
 #include "app/cli/output/output.h"
-#include "app/cli/output/terminal.h"
 #include "app/cli/verbs.h"
 #include "core/base/system.h"
+#include "core/findings/output/explain.h"
+#include "core/judge/rules.h"
 #include "core/validate/config.h"
-#include "core/validate/output/explain.h"
-#include "core/validate/rules.h"
 
 namespace etak::cli {
 namespace {

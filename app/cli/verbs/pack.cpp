@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/cli/options/files.h"
+#include "app/cli/options/options.h"
 #include "app/cli/options/shard.h"
 #include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"
@@ -96,6 +96,7 @@ void add_output_group(Command verb, PackArguments& a) {
   verb.option("--page-report", a.page_report,
               "HTML page to write: textures, layout, what was left out, findings")
       .value_name("FILE")
+      .in_shards(InShards::one_file)
       .group(group);
   verb.option("--page-link", a.page_links,
               "a link in the head of that page, relative, http or https; may be given again")
@@ -130,16 +131,20 @@ void add_run_options(Command verb, PackArguments& a) {
   verb.option("--batch-report", a.batch_report,
               "file for the reports of all jobs, or those of the shard, as JSON")
       .value_name("FILE")
+      .in_shards(InShards::output)
       .group(group);
   add_shard_option(verb, a.shard);
   verb.option("--memory", a.memory, "most that pages may take, such as 512M or 2G")
       .value_name("SIZE")
       .group(group);
-  verb.flag("--watch", a.watch, "pack again whenever an input changes, until interrupted").group(group);
-  add_cache_options(verb, a.cache, "packed atlases here and do not pack the same input again", "Cache");
+  verb.flag("--watch", a.watch, "pack again whenever an input changes, until interrupted")
+      .in_shards(InShards::whole)
+      .group(group);
+  add_cache_options(verb, a.cache, "packed atlases here and do not pack the same input again");
   add_follow_links(verb);
   add_thread_option(verb, a.threads);
-  verb.flag("-q,--quiet", a.quiet, "no remarks and no progress; errors still appear");
+  verb.flag("-q,--quiet", a.quiet, "no remarks and no progress; errors still appear")
+      .in_shards(InShards::output);
   add_progress_option(verb, a.progress);
 }
 
@@ -164,8 +169,9 @@ void declare_pack(CommandLine& line, const std::shared_ptr<PackArguments>& argum
       "together or not at all. Last come the findings of etak validate for what was written.\n"
       "Exit status: 0, or 1 when there are findings at or above --fail-on, 2 when something failed.\n"
       "Example:\n  etak pack materials.json -o atlas --page 4096");
-  verb.runs([arguments] {
+  verb.runs([arguments, verb] {
     if (arguments->rects.asked) return pack_rects_command(arguments->rects);
+    if (!arguments->shard.empty() && !arguments->batch.empty()) check_can_be_cut(*arguments, verb.given());
     return pack_atlas(*arguments);
   });
 }

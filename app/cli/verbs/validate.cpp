@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "app/cli/options/files.h"
 #include "app/cli/options/options.h"
 #include "app/cli/options/shard.h"
 #include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/validate/validate.h"
-#include "app/cli/validate/watch.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
-#include "core/validate/output/explain.h"
-#include "core/validate/rules.h"
+#include "core/findings/output/explain.h"
+#include "core/judge/rules.h"
 
 namespace etak::cli {
 namespace {
 
-int run(ValidateArguments& arguments) {
+int run(ValidateArguments& arguments, const std::vector<GivenOption>& line) {
+  if (!arguments.shard.empty()) {
+    (void)asked_shard(arguments.shard);
+    check_can_be_cut(line);
+    if (!arguments.write_baseline.empty())
+      throw Error::at("--write-baseline", "in one shard, and a baseline holds the findings of all",
+                      "etak merge SHARD... --write-baseline FILE");
+    arguments.line_digest = line_digest(line);
+  }
   if (arguments.watch) return watch_files(arguments);
   if (!arguments.list_rules) return check_files(arguments);
   if (arguments.output.format != "text" && arguments.output.format != "json")
@@ -38,12 +44,16 @@ void add_rule_options(Command verb, ValidateArguments& a) {
   add("--extend-select", a.settings.choice.extend_select, "these rules too");
   add("--ignore", a.settings.choice.ignore, "without these rules; goes last");
   verb.flag("--list-rules", a.list_rules, "print the rule table and stop (--format text or json)")
+      .in_shards(InShards::whole)
       .group("Rules");
   verb.option("--config", a.settings.config, "configuration (default: etak.toml of the first folder upwards)")
       .reads_file()
       .value_name("FILE")
+      .in_shards(InShards::free)  // its settings count by what they say, wherever the file lies
       .group("Rules");
-  verb.flag("--no-config", a.settings.no_config, "look for no etak.toml").group("Rules");
+  verb.flag("--no-config", a.settings.no_config, "look for no etak.toml")
+      .in_shards(InShards::free)
+      .group("Rules");
 }
 
 void add_verdict_options(Command verb, ValidateArguments& a) {
@@ -64,6 +74,7 @@ void add_verdict_options(Command verb, ValidateArguments& a) {
       .group(group);
   verb.option("--write-baseline", a.write_baseline, "record all findings as known")
       .value_name("FILE")
+      .in_shards(InShards::output)
       .group(group);
   verb.option("--today", a.today,
               "date that expiring [[allow]] entries are held against (default: the system's)")
@@ -80,11 +91,13 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
               "files, folders and pipes: texture pairs, metal-rough sets, atlas layouts, glTF "
               "scenes, material files, spectra; - is standard input")
       .reads_file()
-      .value_name("PATH...");
+      .value_name("PATH...")
+      .in_shards(InShards::free);  // what they hold is in the digest of the files
   verb.option("--files-from", a.files_from,
               "file with the paths, one a line or separated by NUL bytes; - is standard input")
       .reads_file()
-      .value_name("FILE");
+      .value_name("FILE")
+      .in_shards(InShards::free);
   verb.option("--changed-since", a.changed_since,
               "of the given folders and files, only what differs from where this branch left COMMIT, or is "
               "new to git; "
@@ -95,7 +108,8 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
             "files of no "
             "known kind; else that is status 2");
   verb.flag("--list-files", a.list_files,
-            "show what every file is taken for, and stop (--format text or json)");
+            "show what every file is taken for, and stop (--format text or json)")
+      .in_shards(InShards::whole);
   verb.option("--role", a.role, "what the pictures are (default: by their names)")
       .words({"diffuse", "specular", "f0", "base-color", "metal-rough"});
   verb.option("--transfer", a.settings.transfer, "curve of the 8-bit codes")
@@ -115,16 +129,20 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
               "findings below info, warning or error are not shown as text; given, infos are not folded")
       .words({"info", "warning", "error"});
   verb.option("--mask", a.mask_folder, "folder for a picture per finding: plateau red, transition yellow")
-      .value_name("DIR");
+      .value_name("DIR")
+      .in_shards(InShards::whole);
   verb.option(
           "--fix", a.fix_folder,
           "folder for repaired copies of the sets that can be repaired, and a page of before and after; the "
           "originals stay as they are")
-      .value_name("DIR");
+      .value_name("DIR")
+      .in_shards(InShards::whole);
   verb.flag("--watch", a.watch,
-            "check again whenever a file changes, until interrupted; sets that did not change are not read");
-  verb.flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");
-  add_cache_options(verb, a.cache, "results here and do not check the same files again", "Cache");
+            "check again whenever a file changes, until interrupted; sets that did not change are not read")
+      .in_shards(InShards::whole);
+  verb.flag("--stats", a.stats, "say on standard error what was read, left out and how long it took")
+      .in_shards(InShards::free);
+  add_cache_options(verb, a.cache, "results here and do not check the same files again");
   add_shard_option(verb, a.shard);
   add_follow_links(verb);
   add_library_options(verb, a.library);
@@ -134,7 +152,7 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
       "Exit status: 0 nothing at or above --fail-on, 1 findings, 2 not everything could be checked.\n"
       "-q with the text form prints the verdict alone.\n"
       "Example:\n  etak validate textures --format sarif -o findings.sarif");
-  verb.runs([arguments] { return run(*arguments); });
+  verb.runs([arguments, verb] { return run(*arguments, verb.given()); });
 }
 
 void add_validate(CommandLine& line) {

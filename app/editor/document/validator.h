@@ -9,7 +9,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/viewport/background.h"
-#include "core/validate/finding.h"
+#include "core/judge/finding.h"
 
 namespace etak {
 class KeptPictures;

@@ -13,10 +13,10 @@
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/files/output.h"
+#include "core/findings/output/formats.h"
 #include "core/image/image_io.h"
 #include "core/project/project_pack.h"
 #include "core/validate/check_pack.h"
-#include "core/validate/output/formats.h"
 
 namespace etak::editor {
 namespace {

@@ -39,7 +39,7 @@ struct ViewPanel::ReadDisplays {
 
 ViewPanel::ReadDisplays ViewPanel::read_displays(const std::string& config) {
   ReadDisplays out;
-  out.error = failure_of([&] { out.displays = ocio_displays(config); });
+  out.error = failure_of([&] { out.displays = OcioConfig::open(config).displays(); });
   return out;
 }
 

@@ -141,7 +141,7 @@ class Pipe {
   bool ended_ = false;
 };
 
-// What the user named. The pipes of a process exist once, and so does this.
+// The inputs that the user named. The pipes of a process exist once, and so does this list.
 //   descriptors   by "<stdin>" or "<fd N>"
 //   named         named pipes, by their whole path, however it is spelled
 struct Accepted {

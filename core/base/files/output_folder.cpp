@@ -149,7 +149,7 @@ OutputFolder::OutputFolder(const std::string& path, Replace replace) : state_(st
     throw Error::at(path, "cannot be written: " + reason_of(errno), "a folder that can be made or changed");
 }
 
-// What was not put in place is removed with the temporary.
+// Files that were not put in place are removed with the temporary.
 OutputFolder::~OutputFolder() {
   tidy();
 }
@@ -243,7 +243,7 @@ void OutputFolder::remove_old(const std::string& name) {
   state_->removed.insert(name);
 }
 
-// What the target holds that is neither replaced nor removed.
+// The names in the target that are neither replaced nor removed.
 std::vector<std::string> OutputFolder::State::strangers(int target) const {
   // A list that breaks off would lose what it does not name.
   errno = 0;

@@ -47,7 +47,7 @@ class OutputFolder : public Output {
              const std::function<void(const std::function<void(std::string_view)>&)>& body);
   void write(const std::string& name, std::string_view bytes);
 
-  /// The same piece by piece. A file that is not closed is removed. Lives no longer than its folder.
+  /// A file that is written piece by piece. Unless it is closed it is removed. Lives no longer than its folder.
   class File {
    public:
     ~File();

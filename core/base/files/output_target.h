@@ -36,7 +36,7 @@ enum class Replace {
   anything,  // and such a target is replaced as well
 };
 
-/// The same for a folder of files (OutputFolder): throws Error where `path` is a file, where it can be
+/// Looks at the target of a folder of files (OutputFolder): throws Error where `path` is a file, where it can be
 /// neither made nor changed, and, with Replace::nothing, where it holds one of `names`.
 void check_folder_target(const std::string& path, std::span<const std::string> names, Replace replace);
 

@@ -69,7 +69,7 @@ class Temporary {
   Temporary& operator=(Temporary&& other) noexcept;
 
   explicit operator bool() const { return !name_.empty(); }
-  /// Its name in the folder; empty when there is none (any more).
+  /// The temporary's name in the folder; empty when there is none (any more).
   const std::string& name() const { return name_; }
   /// Open for writing, or the open folder.
   const Descriptor& open() const { return open_; }

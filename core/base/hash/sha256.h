@@ -21,7 +21,7 @@ class Sha256 {
 
   /// 64 hexadecimal digits of all that was added; this or finish_bytes() is the last call.
   std::string finish();
-  /// The same as 32 bytes.
+  /// The hash of all that was added, as 32 bytes.
   std::string finish_bytes();
 
  private:
@@ -34,7 +34,7 @@ class Sha256 {
 
 std::string sha256(std::string_view bytes);
 
-/// Of a whole file; empty when it cannot be read.
+/// The hash of a whole file; empty when the file cannot be read.
 ///   info   what was known of the file before its bytes were read
 std::string sha256_of_file(const std::string& path);
 std::string sha256_of_file(const std::string& path, sys::FileInfo& info, SeenAsFile seen = SeenAsFile::no);

@@ -12,7 +12,7 @@ namespace etak {
 extern const std::array<std::uint32_t, 64> sha256_constants;
 void sha256_blocks_plain(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes, std::size_t blocks);
 
-/// The same with the processor's own instructions; only where has_sha256_x86().
+/// The blocks by the processor's own instructions; only where has_sha256_x86().
 void sha256_blocks_x86(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes, std::size_t blocks);
 bool has_sha256_x86();
 

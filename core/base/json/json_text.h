@@ -25,7 +25,7 @@ std::string json(std::size_t value);
 /// "[a, b, c]" of what is JSON already.
 std::string json_array(std::span<const std::string> items);
 
-/// The same of values that json() writes.
+/// "[a, b, c]" of values that json() writes.
 template <class Values>
 std::string json_array_of(const Values& values) {
   return '[' + joined(values, ", ", [](const auto& value) { return json(value); }) + ']';
@@ -35,7 +35,7 @@ std::string json_array_of(const Values& values) {
 ///   indent   blanks before the closing bracket
 std::string json_lines(std::span<const std::string> items, int indent);
 
-/// The same of values that `json_of`, a function or member, writes.
+/// An item a line, as json_lines(), of values that `json_of`, a function or member, writes.
 template <class Values, class JsonOf>
 std::string json_lines_of(const Values& values, int indent, JsonOf json_of) {
   std::vector<std::string> items;

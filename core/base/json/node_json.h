@@ -95,7 +95,7 @@ struct JsonNode {
   void expect_text(std::string_view expected) const {
     if (text() != expected) fail_type(in_quotes(expected));
   }
-  /// What the text names: an optional that `named` finds.
+  /// The value that the text names: an optional that `named` finds.
   template <class Named>
   auto word(const Named& named, std::string_view expected) const {
     const auto out = named(text());
@@ -113,7 +113,7 @@ struct JsonNode {
     return out;
   }
   std::vector<std::string> texts() const { return each(&JsonNode::text); }
-  /// The same of an array of so many elements.
+  /// What `read` makes of the elements of an array of so many.
   template <std::size_t count, class Read>
   auto each_of(const Read& read, std::string_view expected) const {
     if (!value.is_array() || size() != count) fail_type(expected);

@@ -16,7 +16,7 @@ Vec3 direction_deg(double theta_deg, double phi_deg);
 /// A function that gives f_r of one channel, in 1/sr.
 using BrdfFunction = std::function<double(const Directions&)>;
 
-/// What the integration of an albedo should know of the function, and the error that it may have.
+/// Settings of the integral of an albedo: what it should know of the function, and the error that it may have.
 struct AlbedoOptions {
   // Width of the lobe in the half vector's polar angle, radians. The integrand is sampled most densely there.
   double lobe_width = 0.1;

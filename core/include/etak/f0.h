@@ -41,7 +41,7 @@
 //   F0Result::refusal  doubtful data throw nothing: the result says why it holds no colour
 //
 // An F0Solver is built once and then shared between threads. Colours of an OpenColorIO config come from
-// OcioSpace (link etak::ocio too). <etak/materials.h> has measured spectra.
+// OcioConfig (link etak::ocio too). <etak/materials.h> has measured spectra.
 
 #include "core/base/error.h"
 #include "core/color/colorspace.h"

@@ -40,13 +40,13 @@
 // PackCheck (core/validate/check_pack.h) looks at the pages of <etak/pack.h> before they are in place.
 
 #include "core/base/error.h"
+#include "core/findings/output/explain.h"
+#include "core/findings/output/formats.h"
+#include "core/findings/report.h"
 #include "core/image/image_io.h"
+#include "core/judge/rules.h"
 #include "core/pages/finding_pictures.h"
 #include "core/pages/validation_page.h"
 #include "core/validate/check_pack.h"
 #include "core/validate/config.h"
-#include "core/validate/finding.h"
-#include "core/validate/output/explain.h"
-#include "core/validate/output/formats.h"
-#include "core/validate/rules.h"
 #include "core/validate/validate.h"

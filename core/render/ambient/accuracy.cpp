@@ -13,7 +13,7 @@
 namespace etak {
 namespace {
 
-// Of the moving and of the refined picture.
+// The accuracy of the moving and of the refined picture, by gloss.
 using AccuracyRows = std::array<std::array<AmbientAccuracy, 2>, measured_glosses.size()>;
 
 // Lines of model, gloss, and mean, picture, p99 of both pictures behind a header, the glosses of a model in order.

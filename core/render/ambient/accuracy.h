@@ -22,8 +22,8 @@ struct AmbientAccuracy {
 /// The glosses that were measured.
 inline constexpr std::array measured_glosses{0.2, 0.5, 0.8, 1.0};
 
-/// Of the moving or of the refined picture (Scene::refined). Linear between the measured glosses; nullopt for a model that
-/// is not in the table, such as one of three terms.
+/// The error of the moving or of the refined picture (Scene::refined), linear between the measured glosses; nullopt for
+/// a model that is not in the table, such as one of three terms.
 std::optional<AmbientAccuracy> ambient_accuracy(std::string_view model, double gloss, bool refined);
 
 /// "mean dE2000 0.7 (worst picture 2.1), 1 % of its pixels above 9"; empty for a model that is not in the table.

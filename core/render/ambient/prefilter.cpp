@@ -179,7 +179,7 @@ Vec3 in_stack(const Image& stack, int tile, const Vec3& r, double level) {
   const auto first = std::min(static_cast<int>(std::max(level, 0.0)), count - 2);
   const double share = std::clamp(level - first, 0.0, 1.0);
   const ambient_text::vec3 place = ambient_text::octahedral_place({r[0], r[1], r[2]});
-  // As look_up(), of two levels at once.
+  // Looks up two levels at once, as look_up() does one.
   const double x = place.x * (tile - 2) + 0.5, y = place.y * (tile - 2) + 0.5;
   const int x0 = std::clamp(static_cast<int>(x), 0, tile - 2),
             y0 = std::clamp(static_cast<int>(y), 0, tile - 2);

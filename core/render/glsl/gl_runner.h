@@ -24,7 +24,7 @@ class GlRunner {
   ~GlRunner();
   GlRunner(GlRunner&&) noexcept;
 
-  /// The same without an exception: nullopt, and the reason in `why`, where OpenGL cannot be used.
+  /// Opens without an exception: nullopt, and the reason in `why`, where OpenGL cannot be used.
   static std::optional<GlRunner> open(std::string& why);
 
   /// What the driver says of itself.

@@ -111,7 +111,7 @@ void view_uniforms(GlslGlue& glue, const Scene& scene, const Camera& camera) {
 }
 constexpr const char* view_place = "  vec2 at = (gl_FragCoord.xy - picture_origin - picture_centre) * pixel;";
 
-// The same for a camera at any direction, which uniforms set.
+// The sight of a camera at any direction, which uniforms set.
 void seen_from_anywhere(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere,
                         bool backdrop_apart) {
   view_uniforms(glue, scene, camera);

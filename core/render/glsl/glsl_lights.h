@@ -26,7 +26,7 @@ std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights, bo
 bool has_areas(const Scene& scene);
 bool has_discrete(const Scene& scene);
 
-/// The same for the area lights, which call area_specular_model(l, v) and area_diffuse_model(l, v) as lit() is called.
+/// The loops over area lights, which call area_specular_model(l, v) and area_diffuse_model(l, v) as lit() is called.
 ///   lobes     of the specular model; null where there is none
 ///   diffuse   whether there is a diffuse model
 ///   gloss     the GLSL expression of the texel's gloss, where the lobes have rows for it

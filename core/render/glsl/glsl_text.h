@@ -117,7 +117,7 @@ struct TextureUse {
 /// The use that the defines of `etak pack` state (core/atlas/defines.h). Throws Error for unknown defines.
 TextureUse texture_use(std::span<const std::string> defines);
 
-/// The same for a text with one define on each line, with or without "#define " in front.
+/// The use that a text with one define on each line states, with or without "#define " in front.
 TextureUse texture_use(std::string_view text);
 
 /// The shaders of a scene whose material is in the textures `diffuse_alpha` and `specular_gloss`, samplers of

@@ -59,7 +59,7 @@ struct ChooseSubject {
 };
 /// A material of the library without textures. Throws Error for a dataset without n and k.
 ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss);
-/// The same as a sphere with the given gloss, else with the default gloss of the material's class.
+/// A material of the library with the given gloss, else with the default gloss of its class.
 ///   remarks   gets what is to be said of the gloss
 ChooseSubject library_subject(const Material& material, const Dataset& dataset,
                               const std::optional<Gloss>& given, std::vector<std::string>& remarks);

@@ -81,7 +81,7 @@ class ChoosePictures {
 
 /// F where F0 alone is known, for each channel: exact below the forbidden zone, Schlick's form above it.
 Vec3 f_of_colour(const Vec3& f0, double cosine);
-/// The same over angle.
+/// f_of_colour() over angle.
 FresnelTruth colour_truth(const Vec3& f0);
 
 /// The errors over all pixels, or over all angles.

@@ -130,7 +130,7 @@ std::string unmet_remark(const Choice& choice) {
 std::string saving_remark(const Choice& choice) {
   std::string out;
   if (choice.textures == 1) append(out, choice.material, ": one texture is read, the other is one colour");
-  // What rounds to "0 % less".
+  // A saving that rounds to "0 % less".
   if (choice.chosen_ns < 0.995 * choice.everything_ns) return out;
   append(out, out.empty() ? choice.material + ": " : "; ", "nothing is saved within ",
          number(choice.budget, 6), " ", name(choice.unit), ": ",

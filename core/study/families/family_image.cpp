@@ -45,7 +45,7 @@ const std::vector<Subject>& subjects() {
   return all;
 }
 
-// Those of one reflection, which the spectral pictures have.
+// The models of one reflection, which the spectral pictures have.
 std::vector<const Model*> specular_models() {
   std::vector<const Model*> out;
   for (const Model& model : models())

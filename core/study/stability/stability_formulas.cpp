@@ -32,7 +32,7 @@ namespace in_double {
 #undef ETAK_STABILITY
 }  // namespace in_double
 
-// As in shaders, powers below 2^power_floor are cut off, which keeps loops in float fast.
+// Powers below 2^power_floor are cut off as in shaders, which keeps loops in float fast.
 namespace in_single {
 #include "core/math/real_f32.h"
 

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "core/image/load.h"
-#include "core/validate/files/files.h"
-#include "core/validate/maps/map_survey.h"
+#include "core/judge/maps/map_survey.h"
+#include "core/validate/files/load.h"
 #include "core/validate/names/names.h"
 
 namespace etak {

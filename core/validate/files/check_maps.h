@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/image/picture.h"
+#include "core/judge/pixels/evidence.h"
 #include "core/scene/gltf.h"
-#include "core/validate/pixels/evidence.h"
 
 namespace etak {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/shards/shards.h"
-#include "core/validate/files/find_targets.h"
+#include "core/runs/shards.h"
+#include "core/validate/find/find_targets.h"
 
 namespace etak {
 

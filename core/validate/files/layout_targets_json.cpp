@@ -13,8 +13,8 @@
 #include "core/base/system.h"
 #include "core/image/channels.h"
 #include "core/image/image.h"
-#include "core/validate/files/files.h"
-#include "core/validate/pixels/flat_rows.h"
+#include "core/judge/pixels/flat_rows.h"
+#include "core/validate/files/layout_targets.h"
 
 namespace etak {
 

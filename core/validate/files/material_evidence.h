@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/judge/pixels/evidence.h"
 #include "core/material/material.h"
-#include "core/validate/pixels/evidence.h"
 
 namespace etak {
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/judge/maps/map_evidence.h"
+#include "core/judge/target.h"
 #include "core/scene/gltf.h"
-#include "core/validate/files/files.h"
-#include "core/validate/maps/map_evidence.h"
-#include "core/validate/target.h"
+#include "core/validate/files/load.h"
 
 namespace etak {
 

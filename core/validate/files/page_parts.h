@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/validate/files/files.h"
+#include "core/validate/files/load.h"
 
 namespace etak {
 

@@ -4,11 +4,12 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "core/judge/check_pictures.h"
+#include "core/judge/engine.h"
+#include "core/judge/rules.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
-#include "core/validate/engine.h"
 #include "core/validate/files/material_evidence.h"
-#include "core/validate/rules.h"
 
 namespace etak {
 namespace {
@@ -16,12 +17,6 @@ namespace {
 void add(CheckedFile& to, CheckedFile from) {
   for (Finding& each : from.findings) to.findings.push_back(std::move(each));
   to.unreadable = to.unreadable || from.unreadable;
-}
-
-Finding finding_with(std::string_view rule, Severity severity, const std::string& message) {
-  Finding out = finding_of(*find_rule(rule), severity);
-  out.message = message;
-  return out;
 }
 
 // Whether the black diffuse colour of a dielectric is right, because light goes through its body.
@@ -100,17 +95,17 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
                            unsigned threads, KeptPictures* kept) {
   CheckedFile out;
   out.path = material.name;
+  const auto fail = [&](const Rule& rule, Severity severity, const std::string& message) {
+    out.findings.push_back(finding_of(rule, severity, "", message));
+    out.unreadable = true;
+  };
   const auto part = [&](auto check) {
     try {
       add(out, check());
     } catch (const Error& error) {
-      out.findings.push_back(
-          finding_with(rule_of_unreadable(error.what()).id, Severity::error, error.what()));
-      out.unreadable = true;
+      fail(rule_of_unreadable(error.what()), Severity::error, error.what());
     } catch (const std::bad_alloc&) {
-      out.findings.push_back(
-          finding_with("ETK902", Severity::warning, "not enough memory to check the pictures"));
-      out.unreadable = true;
+      fail(*find_rule("ETK902"), Severity::warning, "not enough memory to check the pictures");
     }
   };
   part([&] { return check_texels(material, library, door, settings, most_texels, threads, kept); });

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/atlas/sources/sources.h"
+#include "core/judge/finding.h"
+#include "core/judge/settings.h"
 #include "core/project/project.h"
 #include "core/project/project_pictures.h"
-#include "core/validate/finding.h"
-#include "core/validate/settings.h"
 
 namespace etak {
 

@@ -6,9 +6,10 @@
 #include <iterator>
 #include <utility>
 
-#include "core/validate/engine.h"
+#include "core/judge/engine.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/files/scene_use.h"
+#include "core/validate/files/tiles.h"
 
 namespace etak {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "core/judge/pixels/evidence.h"
 #include "core/scene/material_uses.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/load.h"
 #include "core/validate/files/metal_rough.h"
-#include "core/validate/pixels/evidence.h"
 
 namespace etak {
 

@@ -10,10 +10,12 @@
 
 #include "core/atlas/texels/page_pixels.h"
 #include "core/atlas/texels/place_texels.h"
+#include "core/judge/engine.h"
+#include "core/judge/rules.h"
 #include "core/scene/gltf_convert.h"
-#include "core/validate/engine.h"
+#include "core/validate/files/check.h"
 #include "core/validate/files/scene_use.h"
-#include "core/validate/rules.h"
+#include "core/validate/files/tiles.h"
 
 namespace etak {
 

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "core/judge/pixels/evidence.h"
 #include "core/scene/material_uses.h"
 #include "core/scene/uv_use.h"
-#include "core/validate/files/files.h"
-#include "core/validate/pixels/evidence.h"
+#include "core/validate/files/load.h"
 
 namespace etak {
 

@@ -195,16 +195,4 @@ std::optional<char> channel_letter(std::string_view word) {
   return std::nullopt;
 }
 
-bool is_judged(FileRole role) {
-  return role <= FileRole::gloss;
-}
-
-bool is_map(FileRole role) {
-  return role >= FileRole::normal && role <= FileRole::emissive;
-}
-
-bool is_picture(FileRole role) {
-  return is_judged(role) || role > FileRole::spectrum;
-}
-
 }  // namespace etak

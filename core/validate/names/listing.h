@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/validate/finding.h"
+#include "core/findings/report.h"
 #include "core/validate/names/names.h"
 
 namespace etak {

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/validate/target.h"
+#include "core/judge/target.h"
 
 namespace etak {
 
@@ -93,14 +93,5 @@ class NameReader {
   };
   std::unordered_map<std::string, OwnName, TextHash, std::equal_to<>> own_;
 };
-
-/// Whether pictures of this role are judged as a material's colours, metal and gloss.
-bool is_judged(FileRole role);
-/// Whether they are maps that are judged beside those: normal, occlusion and emissive maps, and height for
-/// the normal map beside it.
-bool is_map(FileRole role);
-
-/// False for layouts, scenes, materials and spectra.
-bool is_picture(FileRole role);
 
 }  // namespace etak

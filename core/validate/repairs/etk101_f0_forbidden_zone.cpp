@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <optional>
 
-#include "core/validate/nearest.h"
-#include "core/validate/pixels/code_tables.h"
+#include "core/judge/nearest.h"
+#include "core/judge/pixels/code_tables.h"
 #include "core/validate/repairs/rows.h"
 
 namespace etak {

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "core/color/luminance.h"
-#include "core/validate/pixels/code_tables.h"
+#include "core/judge/pixels/code_tables.h"
 #include "core/validate/repairs/rows.h"
 
 namespace etak {

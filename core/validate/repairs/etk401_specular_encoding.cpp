@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/pixels/code_tables.h"
+#include "core/judge/pixels/code_tables.h"
 #include "core/validate/repairs/rows.h"
 
 namespace etak {

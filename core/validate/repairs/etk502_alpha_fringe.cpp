@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/image/dilate.h"
-#include "core/validate/pixels/code_tables.h"
+#include "core/judge/pixels/code_tables.h"
 #include "core/validate/repairs/rows.h"
 
 namespace etak {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/repairs/repair.h"
 
-#include "core/validate/engine.h"
-#include "core/validate/pixels/code_tables.h"
+#include "core/judge/engine.h"
+#include "core/judge/pixels/code_tables.h"
 #include "core/validate/repairs/rows.h"
 
 namespace etak {

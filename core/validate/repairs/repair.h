@@ -15,11 +15,11 @@
 
 #include "core/image/image.h"
 #include "core/image/picture.h"
-#include "core/validate/files/files.h"
-#include "core/validate/finding.h"
-#include "core/validate/rule.h"
-#include "core/validate/settings.h"
-#include "core/validate/target.h"
+#include "core/judge/finding.h"
+#include "core/judge/rule.h"
+#include "core/judge/settings.h"
+#include "core/judge/target.h"
+#include "core/validate/files/load.h"
 
 namespace etak {
 

@@ -15,9 +15,10 @@
 #include "core/image/files/png_chunks.h"
 #include "core/image/files/png_keep.h"
 #include "core/image/load.h"
+#include "core/judge/rules.h"
+#include "core/validate/files/check.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/repairs/repair.h"
-#include "core/validate/rules.h"
 
 namespace etak {
 namespace {

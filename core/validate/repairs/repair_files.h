@@ -9,9 +9,9 @@
 
 #include "core/base/files/output_tree.h"
 #include "core/base/files/read_places.h"
+#include "core/findings/report.h"
 #include "core/image/picture.h"
-#include "core/validate/finding.h"
-#include "core/validate/settings.h"
+#include "core/judge/settings.h"
 
 namespace etak {
 

@@ -73,7 +73,7 @@ std::string small_config(const std::string& roles) {
 
 TEST_CASE("a flat spectrum is grey within 1e-6 in every linear RGB space of the default config") {
   for (const auto& [name, matrix] : linear_spaces) {
-    const OcioSpace space = OcioSpace::open(own_config, name);
+    const OcioSpace space = OcioConfig::open(own_config).space(name);
     for (const auto observer : {Observer::cie1931_2deg, Observer::cie1964_10deg})
       for (const auto illuminant : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
         for (const Method method : {Method::nm1, Method::nm20, Method::exact}) {
@@ -97,7 +97,7 @@ TEST_CASE(
   for (const auto& [space, name, margin] : {std::tuple{RgbSpace::acescg, "ACEScg", 1e-6},
                                             std::tuple{RgbSpace::srgb, "Linear Rec.709 (sRGB)", 1e-4},
                                             std::tuple{RgbSpace::rec2020, "Linear Rec.2020", 1e-4}}) {
-    const OcioSpace door = OcioSpace::open(own_config, name);
+    const OcioSpace door = OcioConfig::open(own_config).space(name);
     for (const Vec3& xyz : colours)
       near_vector(through(door, xyz, white), xyz_to_rgb(space, white, white) * xyz, margin);
   }
@@ -106,14 +106,14 @@ TEST_CASE(
 TEST_CASE("the default config's matrices are the ones that follow from primaries and whites") {
   for (const auto& [name, matrix] : linear_spaces) {
     INFO(name);
-    const OcioSpace space = OcioSpace::open(own_config, name);
+    const OcioSpace space = OcioConfig::open(own_config).space(name);
     const bool aces = name.starts_with("ACES");
     const Mat3 want = inverse(matrix) * (aces ? bradford(test::d65, test::aces_white) : identity3);
     for (const Vec3& xyz : colours) near_vector(through(space, xyz, test::d65), want * xyz, 1e-6);
   }
   for (const auto* name : {"CIE XYZ D65", "CIE XYZ D65 - Display"})
     for (const Vec3& xyz : colours)
-      near_vector(through(OcioSpace::open(own_config, name), xyz, test::d65), xyz, 1e-6);
+      near_vector(through(OcioConfig::open(own_config).space(name), xyz, test::d65), xyz, 1e-6);
 }
 
 TEST_CASE("encoded spaces and displays of the default config carry their curves") {
@@ -126,61 +126,61 @@ TEST_CASE("encoded spaces and displays of the default config carry their curves"
   };
   // OpenColorIO derives the toe from gamma and offset; it ends 2e-5 away from the standard's rounded
   // constants.
-  near_vector(through(OcioSpace::open(own_config, "sRGB - Texture"), xyz, test::d65), encoded(srgb * xyz),
-              2e-5);
-  near_vector(through(OcioSpace::open(own_config, "sRGB - Display"), xyz, test::d65), encoded(srgb * xyz),
-              2e-5);
-  near_vector(through(OcioSpace::open(own_config, "Display P3 - Display"), xyz, test::d65), encoded(p3 * xyz),
-              2e-5);
+  near_vector(through(OcioConfig::open(own_config).space("sRGB - Texture"), xyz, test::d65),
+              encoded(srgb * xyz), 2e-5);
+  near_vector(through(OcioConfig::open(own_config).space("sRGB - Display"), xyz, test::d65),
+              encoded(srgb * xyz), 2e-5);
+  near_vector(through(OcioConfig::open(own_config).space("Display P3 - Display"), xyz, test::d65),
+              encoded(p3 * xyz), 2e-5);
   Vec3 power = srgb * xyz;
   for (double& x : power) x = std::pow(x, 1 / 2.4);
-  near_vector(through(OcioSpace::open(own_config, "Rec.1886 Rec.709 - Display"), xyz, test::d65), power,
-              2e-6);
+  near_vector(through(OcioConfig::open(own_config).space("Rec.1886 Rec.709 - Display"), xyz, test::d65),
+              power, 2e-6);
 }
 
 TEST_CASE("colours outside the gamut pass unclipped through linear spaces") {
   const Mat3 srgb = rgb_to_xyz(primaries(RgbSpace::srgb), test::d65);
   const Vec3 gold{1.022, 0.782, -0.344};
-  near_vector(through(OcioSpace::open(own_config, "lin_srgb"), srgb * gold, test::d65), gold, 2e-6);
+  near_vector(through(OcioConfig::open(own_config).space("lin_srgb"), srgb * gold, test::d65), gold, 2e-6);
 }
 
 TEST_CASE("spaces are found by name, alias and role") {
-  CHECK(OcioSpace::open(own_config, "ACEScg").name() == "ACEScg");
-  CHECK(OcioSpace::open(own_config, "lin_rec2020").name() == "Linear Rec.2020");
-  CHECK(OcioSpace::open(own_config, "scene_linear").name() == "Linear Rec.709 (sRGB)");
-  CHECK(OcioSpace::open(own_config, "ACEScg").config() == own_config);
+  CHECK(OcioConfig::open(own_config).space("ACEScg").name() == "ACEScg");
+  CHECK(OcioConfig::open(own_config).space("lin_rec2020").name() == "Linear Rec.2020");
+  CHECK(OcioConfig::open(own_config).space("scene_linear").name() == "Linear Rec.709 (sRGB)");
+  CHECK(OcioConfig::open(own_config).name() == own_config);
 }
 
 TEST_CASE("no config named and no $OCIO gives the built-in config, which is the one in resources") {
   const OcioVariable unset("");
-  CHECK(OcioSpace::open("", "ACEScg").config() == builtin_ocio_config);
-  CHECK(OcioSpace::open("", "ACEScg").name() == OcioSpace::open(own_config, "ACEScg").name());
+  CHECK(OcioConfig::open("").name() == builtin_ocio_config);
+  CHECK(OcioConfig::open("").space("ACEScg").name() == OcioConfig::open(own_config).space("ACEScg").name());
 }
 
 TEST_CASE("$OCIO names the config, and an argument wins over it") {
   const TempFolder folder;
   spit(folder.file("small.ocio"), small_config("  aces_interchange: Own\n"));
   const OcioVariable set(folder.file("small.ocio"));
-  CHECK(OcioSpace::open("", "Half").config() == folder.file("small.ocio"));
-  CHECK(OcioSpace::open(own_config, "ACEScg").config() == own_config);
+  CHECK(OcioConfig::open("").name() == folder.file("small.ocio"));
+  CHECK(OcioConfig::open(own_config).name() == own_config);
 }
 
 TEST_CASE(
     "scene spaces are entered through ACES, display spaces through XYZ, so that no view transform lies "
     "between") {
-  CHECK(OcioSpace::open(own_config, "ACEScg").role() == "aces_interchange");
-  CHECK(OcioSpace::open(own_config, "sRGB - Texture").role() == "aces_interchange");
-  CHECK(OcioSpace::open(own_config, "sRGB - Display").role() == "cie_xyz_d65_interchange");
+  CHECK(OcioConfig::open(own_config).space("ACEScg").role() == "aces_interchange");
+  CHECK(OcioConfig::open(own_config).space("sRGB - Texture").role() == "aces_interchange");
+  CHECK(OcioConfig::open(own_config).space("sRGB - Display").role() == "cie_xyz_d65_interchange");
 }
 
 TEST_CASE("either interchange role is a way in") {
   const TempFolder folder;
   spit(folder.file("aces.ocio"), small_config("  aces_interchange: Own\n"));
-  const OcioSpace aces = OcioSpace::open(folder.file("aces.ocio"), "Half");
+  const OcioSpace aces = OcioConfig::open(folder.file("aces.ocio")).space("Half");
   CHECK(aces.role() == "aces_interchange");
   near_vector(through(aces, vec(test::d65), test::d65), {0.5, 0.5, 0.5}, 1e-6);
   spit(folder.file("cie.ocio"), small_config("  cie_xyz_d65_interchange: Own\n"));
-  const OcioSpace cie = OcioSpace::open(folder.file("cie.ocio"), "Half");
+  const OcioSpace cie = OcioConfig::open(folder.file("cie.ocio")).space("Half");
   CHECK(cie.role() == "cie_xyz_d65_interchange");
   near_vector(through(cie, vec(test::d65), test::d65), {0.5 * test::d65.x, 0.5, 0.5 * test::d65.z}, 1e-6);
   near_vector(through(cie, {1, 1, 1}, {1, 1, 1}), {0.5 * test::d65.x, 0.5, 0.5 * test::d65.z}, 1e-6);
@@ -189,7 +189,7 @@ TEST_CASE("either interchange role is a way in") {
 TEST_CASE("errors of a config name it, the space and what is missing") {
   const TempFolder folder;
   const auto opening = [&](const std::string& config, const std::string& space) {
-    const std::string message = error_of([&] { OcioSpace::open(config, space); });
+    const std::string message = error_of([&] { OcioConfig::open(config).space(space); });
     CHECK(!contains(message, "\n"));
     return message;
   };
@@ -235,8 +235,7 @@ TEST_CASE("values of a space become the linear sRGB that OpenColorIO itself make
   for (const char* name : {"ACEScg", "ACES2065-1", "Linear Rec.2020", "Linear Display P3", "sRGB - Texture",
                            "Linear Rec.709 (sRGB)", "CIE XYZ D65"}) {
     INFO(name);
-    const OcioSource source = OcioSource::open(own_config, name);
-    CHECK(source.name() == name);
+    const OcioSource source = OcioConfig::open(own_config).source(name);
     const auto theirs = config->getProcessor(name, "Linear Rec.709 (sRGB)")
                             ->getOptimizedCPUProcessor(OCIO_NAMESPACE::OPTIMIZATION_LOSSLESS);
     std::vector<float> many;
@@ -255,12 +254,12 @@ TEST_CASE("a display's values become the linear sRGB that it shows") {
     const auto v = static_cast<float>(code / 255.0);
     for (const char* name : {"sRGB - Texture", "sRGB - Display"}) {
       float rgb[3] = {v, 0.25f, 1};
-      OcioSource::open(own_config, name).to_linear_srgb(rgb, 1);
+      OcioConfig::open(own_config).source(name).to_linear_srgb(rgb, 1);
       CHECK(double{rgb[0]} == Approx(srgb_decode(double{v})).margin(2e-5));
       CHECK(srgb_u8(std::clamp(double{rgb[0]}, 0.0, 1.0)) == code);
       CHECK(double{rgb[2]} == Approx(1).margin(2e-5));
     }
   }
-  CHECK(contains(error_of([] { OcioSource::open(own_config, "ACEScgg"); }), "\"ACEScg\""));
-  CHECK(contains(error_of([] { OcioSource::open(own_config, "Raw"); }), "data"));
+  CHECK(contains(error_of([] { OcioConfig::open(own_config).source("ACEScgg"); }), "\"ACEScg\""));
+  CHECK(contains(error_of([] { OcioConfig::open(own_config).source("Raw"); }), "data"));
 }

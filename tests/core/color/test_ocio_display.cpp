@@ -9,7 +9,7 @@
 namespace etak {
 
 TEST_CASE("etak's own sRGB display shows linear sRGB through the piecewise curve") {
-  const OcioDisplay display = OcioDisplay::open("", "sRGB - Display", "Colorimetric");
+  const OcioDisplay display = OcioConfig::open("").display("sRGB - Display", "Colorimetric");
   for (const double value : {0.0, 0.001, 0.04, 0.18, 0.5, 1.0}) {
     std::array<float, 3> rgb{static_cast<float>(value), static_cast<float>(value / 2), 0.25f};
     display.apply(rgb.data(), 1);
@@ -20,7 +20,7 @@ TEST_CASE("etak's own sRGB display shows linear sRGB through the piecewise curve
 }
 
 TEST_CASE("display and view default to the config's first, several pixels go through at once") {
-  const OcioDisplay display = OcioDisplay::open("", "", "");
+  const OcioDisplay display = OcioConfig::open("").display("", "");
   CHECK(display.display() == "sRGB - Display");
   CHECK(display.view() == "Colorimetric");
   std::array<float, 6> rgb{0.5f, 0.5f, 0.5f, 1, 1, 1};
@@ -30,13 +30,14 @@ TEST_CASE("display and view default to the config's first, several pixels go thr
 }
 
 TEST_CASE("an unknown display or view is refused with the list of those there are") {
-  const std::string display = test::error_of([] { (void)OcioDisplay::open("", "Plasma", ""); });
+  const std::string display = test::error_of([] { (void)OcioConfig::open("").display("Plasma", ""); });
   CHECK(test::contains(display, "Plasma"));
   CHECK(test::contains(display, "Display P3 - Display"));
-  const std::string view = test::error_of([] { (void)OcioDisplay::open("", "sRGB - Display", "Filmic"); });
+  const std::string view =
+      test::error_of([] { (void)OcioConfig::open("").display("sRGB - Display", "Filmic"); });
   CHECK(test::contains(view, "Filmic"));
   CHECK(test::contains(view, "Colorimetric"));
-  CHECK(test::contains(test::error_of([] { (void)OcioDisplay::open("/no/such.ocio", "", ""); }),
+  CHECK(test::contains(test::error_of([] { (void)OcioConfig::open("/no/such.ocio").display("", ""); }),
                        "/no/such.ocio"));
 }
 

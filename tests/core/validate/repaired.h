@@ -12,7 +12,7 @@
 #include "core/color/srgb.h"
 #include "core/image/image.h"
 #include "core/validate/repairs/repair_files.h"
-#include "tests/core/validate/corpus.h"
+#include "tests/core/judge/corpus.h"
 
 /// Right sets, the same sets with a defect, and the repaired copies of a folder.
 namespace etak::test {

@@ -4,14 +4,15 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/files/output.h"
+#include "core/findings/output/formats.h"
 #include "core/image/files/png.h"
-#include "core/validate/engine.h"
-#include "core/validate/files/files.h"
-#include "core/validate/output/formats.h"
+#include "core/judge/check_pictures.h"
+#include "core/validate/files/check.h"
+#include "core/validate/files/layout_targets.h"
 #include "core/validate/validate.h"
 #include "tests/core/image/png_of.h"
+#include "tests/core/judge/corpus.h"
 #include "tests/core/material/library_support.h"
-#include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
 using namespace etak;

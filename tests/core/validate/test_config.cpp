@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 
+#include "core/judge/rules.h"
 #include "core/validate/config.h"
-#include "core/validate/rules.h"
 #include "tests/support.h"
 
 using namespace etak;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/files/find_targets.h"
+#include "core/validate/find/find_targets.h"
 
 #include <unistd.h>
 

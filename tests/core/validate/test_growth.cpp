@@ -13,6 +13,10 @@
 #include "core/base/text/free_names.h"
 #include "core/exchange/rii/rii_page.h"
 #include "core/exchange/table.h"
+#include "core/findings/baseline.h"
+#include "core/findings/output/formats.h"
+#include "core/findings/report.h"
+#include "core/judge/rules.h"
 #include "core/material/json.h"
 #include "core/material/library.h"
 #include "core/project/project.h"
@@ -22,10 +26,6 @@
 #include "core/scene/texel_scale.h"
 #include "core/scene/uv_use.h"
 #include "core/study/choose/choose.h"
-#include "core/validate/baseline.h"
-#include "core/validate/engine.h"
-#include "core/validate/output/formats.h"
-#include "core/validate/rules.h"
 #include "tests/growth.h"
 
 using namespace etak;

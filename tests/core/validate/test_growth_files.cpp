@@ -2,8 +2,8 @@
 // What checking files does with long lists, over four doublings: see check_growth().
 #include <catch2/catch.hpp>
 
+#include "core/judge/pixels/flat_rows.h"
 #include "core/validate/files/scene_use.h"
-#include "core/validate/pixels/flat_rows.h"
 #include "tests/growth.h"
 
 using namespace etak;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "core/validate/files/picture_sets.h"
+#include "core/validate/find/picture_sets.h"
 #include "core/validate/names/names.h"
 #include "tests/support.h"
 

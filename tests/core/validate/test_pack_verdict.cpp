@@ -8,8 +8,8 @@
 #include "tests/core/atlas/altered_models.h"
 #include "tests/core/atlas/scene_support.h"
 #include "tests/core/image/png_of.h"
+#include "tests/core/judge/corpus.h"
 #include "tests/core/scene/small_scene.h"
-#include "tests/core/validate/corpus.h"
 #include "tests/core/validate/scene_verdicts.h"
 
 using namespace etak;

@@ -6,11 +6,11 @@
 
 #include "core/base/error.h"
 #include "core/color/srgb.h"
+#include "core/findings/output/formats.h"
+#include "core/judge/rules.h"
 #include "core/pages/repair_page.h"
-#include "core/validate/output/formats.h"
 #include "core/validate/repairs/repair.h"
 #include "core/validate/repairs/repair_files.h"
-#include "core/validate/rules.h"
 #include "tests/core/validate/checked.h"
 #include "tests/core/validate/repaired.h"
 #include "tests/support.h"

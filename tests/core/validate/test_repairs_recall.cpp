@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "core/validate/nearest.h"
-#include "core/validate/output/formats.h"
+#include "core/findings/output/formats.h"
+#include "core/judge/nearest.h"
 #include "core/validate/repairs/repair.h"
 #include "tests/core/validate/repaired.h"
 #include "tests/support.h"

@@ -9,14 +9,15 @@
 #include "core/base/number.h"
 #include "core/image/files/png.h"
 #include "core/image/image_io.h"
+#include "core/judge/rules.h"
 #include "core/material/coverage.h"
 #include "core/material/f0.h"
-#include "core/validate/files/files.h"
-#include "core/validate/rules.h"
+#include "core/validate/files/layout_targets.h"
+#include "core/validate/find/kind.h"
 #include "tests/core/image/icc_maker.h"
 #include "tests/core/image/png_of.h"
+#include "tests/core/judge/corpus.h"
 #include "tests/core/validate/checked.h"
-#include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
 using namespace etak;

@@ -8,10 +8,11 @@
 #include "core/base/bytes/base64.h"
 #include "core/color/srgb.h"
 #include "core/image/files/png.h"
-#include "core/validate/files/files.h"
+#include "core/validate/files/layout_targets.h"
+#include "core/validate/files/load.h"
 #include "core/validate/files/metal_rough.h"
+#include "tests/core/judge/corpus.h"
 #include "tests/core/validate/checked.h"
-#include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
 using namespace etak;

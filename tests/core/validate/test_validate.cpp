@@ -11,8 +11,8 @@
 #include "core/image/files/png.h"
 #include "core/pages/finding_pictures.h"
 #include "tests/core/image/png_of.h"
+#include "tests/core/judge/corpus.h"
 #include "tests/core/validate/checked.h"
-#include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
 using namespace etak;

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/judge/nearest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/hash/content_hash.h"
+#include "core/judge/pixels/code_tables.h"
+#include "core/material/f0.h"
+#include "core/material/json.h"
+#include "core/material/quality.h"
+
+namespace etak {
+
+namespace {
+
+std::string hash_of(const MaterialLibrary& library) {
+  ContentHash hash;
+  std::string text;
+  for (std::size_t i = 0; i < library.ids().size(); ++i) text += format_material(library.at(i));
+  hash.add(text);
+  return hash.hex();
+}
+
+std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
+  const F0Solver solver{F0Options{}};
+  std::vector<KnownF0> known;
+  for (std::size_t i = 0; i < library.ids().size(); ++i) {
+    const Material material = library.at(i);
+    if (!gives_f0(material.material_class)) continue;
+    for (std::size_t d = 0; d < material.datasets.size(); ++d) {
+      const Dataset& dataset = material.datasets[d];
+      const F0Result f0 = solve(solver, material, dataset);
+      // A doubtful dataset excuses no texture, unless it is the preferred one, because there is none better.
+      if (f0.refused() || (f0.flags.has(Flag::doubtful) && d != material.preferred)) continue;
+      known.push_back({material.id,
+                       material.name,
+                       dataset.id,
+                       d == material.preferred,
+                       optical_kind(material.material_class) == "conductor",
+                       material.common,
+                       material.material_class == "gem",
+                       {f0.srgb_linear.r, f0.srgb_linear.g, f0.srgb_linear.b},
+                       f0.luminance});
+    }
+  }
+  return known;
+}
+
+// The code of a linear value with a fraction, so that distances do not jump where codes are rounded.
+double code_with_fraction(double linear, TextureTransfer transfer) {
+  const CodeTables& tables = code_tables(transfer);
+  const double clamped = std::clamp(linear, 0.0, 1.0);
+  const int low =
+      std::min(254, static_cast<int>(std::upper_bound(tables.decoded.begin(), tables.decoded.end(), clamped) -
+                                     tables.decoded.begin()) -
+                        1);
+  const auto i = static_cast<std::size_t>(std::max(0, low));
+  return static_cast<double>(i) + (clamped - tables.decoded[i]) / (tables.decoded[i + 1] - tables.decoded[i]);
+}
+
+}  // namespace
+
+KnownMaterials::KnownMaterials(MaterialLibrary library, std::string hash)
+    : library_(std::move(library)), hash_(std::move(hash)) {}
+
+KnownMaterials::KnownMaterials(MaterialLibrary library)
+    : library_(std::move(library)), hash_(hash_of(library_)) {}
+
+const KnownMaterials& KnownMaterials::builtin() {
+  static const KnownMaterials known(MaterialLibrary::builtin(), "");
+  return known;
+}
+
+std::span<const KnownF0> KnownMaterials::f0() const {
+  computed_.call([this] { f0_ = f0_in(library_); });
+  return f0_;
+}
+
+std::vector<const KnownF0*> KnownMaterials::f0_of(std::string_view material) const {
+  std::vector<const KnownF0*> found;
+  if (material.empty()) return found;
+  const auto match = library_.find(material);
+  if (!match) return found;
+  for (const KnownF0& entry : f0())
+    if (entry.id == match->id) found.push_back(&entry);
+  return found;
+}
+
+const KnownMaterials& known_materials(const Settings& settings) {
+  return settings.known ? *settings.known : KnownMaterials::builtin();
+}
+
+double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, TextureTransfer transfer) {
+  double distance = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    distance = std::max(distance, std::abs(code_with_fraction(linear[c], transfer) -
+                                           code_with_fraction(entry.linear[c], transfer)));
+  return distance;
+}
+
+std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,
+                                               const std::array<double, 3>& linear, TextureTransfer transfer,
+                                               std::size_t count) {
+  std::vector<NearestMaterial> all;
+  for (const KnownF0& entry : known.f0()) {
+    const double distance = std::round(10 * code_distance(linear, entry, transfer)) / 10;
+    // The datasets of a material follow one another; only the nearest of them is kept.
+    if (!all.empty() && all.back().id == entry.id) {
+      if (distance < all.back().bytes) all.back() = {entry.id, entry.dataset, distance};
+    } else {
+      all.push_back({entry.id, entry.dataset, distance});
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
+  if (all.size() > count) all.resize(count);
+  return all;
+}
+
+Explanation explain_f0(const KnownMaterials& known, const std::array<double, 3>& linear,
+                       TextureTransfer transfer) {
+  constexpr double most_distance = 4;  // codes
+  Explanation best;
+  double grey = 0, spread_least = 255, spread_most = 0;
+  for (const double c : linear) {
+    grey += c / 3;
+    spread_least = std::min(spread_least, code_with_fraction(c, transfer));
+    spread_most = std::max(spread_most, code_with_fraction(c, transfer));
+  }
+  if (spread_most - spread_least > most_distance) return best;
+  const CodeTables& tables = code_tables(transfer);
+  best.distance = most_distance;
+  const double code = code_with_fraction(grey, transfer);
+  for (const KnownF0& entry : known.f0()) {
+    if (!entry.preferred || entry.conductor || entry.luminance < least_dielectric_f0 ||
+        entry.luminance > most_dielectric_f0)
+      continue;
+    const double f0 = entry.luminance, once = code_with_fraction(f0, transfer);
+    const double twice = code_with_fraction(once / 255, transfer), never = 255 * f0;
+    const auto consider = [&](Explanation::Cause cause, double expected) {
+      const double distance = std::abs(expected - code);
+      // `as_is` is considered first and wins at equal distance: a right value needs no explanation.
+      if (distance < best.distance) best = {cause, f0, distance, entry.id};
+    };
+    consider(Explanation::Cause::as_is, once);
+    if (transfer == TextureTransfer::linear) continue;
+    consider(Explanation::Cause::doubled, twice);
+    consider(Explanation::Cause::missing, never);
+  }
+  if (best.cause == Explanation::Cause::doubled) best.original = tables.decode(255 * grey);
+  if (best.cause == Explanation::Cause::missing) best.original = code / 255;
+  return best;
+}
+
+}  // namespace etak

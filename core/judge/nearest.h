@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/once.h"
+#include "core/judge/finding.h"
+#include "core/judge/settings.h"
+#include "core/material/library.h"
+
+namespace etak {
+
+/// F0 of one dataset of a library.
+struct KnownF0 {
+  std::string id, name, dataset;  // material id and name
+  bool preferred = false;
+  bool conductor = false;          // metals, alloys, conductors
+  bool common = false;             // Material::common
+  bool gem = false;                // of the class gem
+  std::array<double, 3> linear{};  // linear sRGB, not clipped
+  double luminance = 0;
+};
+
+/// The materials of one library, by which textures are judged.
+class KnownMaterials {
+ public:
+  explicit KnownMaterials(MaterialLibrary library);
+  /// The materials of the library inside the program.
+  static const KnownMaterials& builtin();
+
+  /// A hash of the materials, because results depend on them; empty for the built-in ones.
+  const std::string& hash() const { return hash_; }
+
+  /// F0 of every dataset that gives one, without doubtful datasets that are not preferred. Computed in the
+  /// first call, which may come from any thread.
+  std::span<const KnownF0> f0() const;
+
+  /// The entries of one material, by id, alias or name; empty: not in the library.
+  std::vector<const KnownF0*> f0_of(std::string_view material) const;
+
+ private:
+  KnownMaterials(MaterialLibrary library, std::string hash);
+
+  MaterialLibrary library_;
+  std::string hash_;
+  mutable Once computed_;
+  mutable std::vector<KnownF0> f0_;
+};
+
+/// The materials that the settings name, else the built-in ones.
+const KnownMaterials& known_materials(const Settings& settings);
+
+/// Largest channel difference in codes between a linear colour and an entry clipped to [0, 1].
+double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, TextureTransfer transfer);
+
+/// The `count` nearest materials, each by its nearest dataset, nearest first.
+std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,
+                                               const std::array<double, 3>& linear, TextureTransfer transfer,
+                                               std::size_t count = 3);
+
+/// The range of linear F0 of the library's dielectrics without gems; ice and water have the least.
+inline constexpr double least_dielectric_f0 = 0.017, most_dielectric_f0 = 0.09;
+
+/// Codes, both ends included.
+struct CodeRange {
+  int first, last;
+  constexpr bool holds(int code) const { return code >= first && code <= last; }
+};
+/// That range in sRGB codes.
+inline constexpr CodeRange dielectric_codes{36, 84};
+/// That range where F0 is stored without the curve: 255 times F0, with 3 codes of noise at the upper end.
+inline constexpr CodeRange linear_dielectric_codes{4, 26};
+/// That range where F0 is encoded twice: the sRGB codes of 36 / 255 and 84 / 255 as linear values.
+inline constexpr CodeRange doubled_dielectric_codes{105, 155};
+
+/// How the code of an F0 may have come about, if it is one of a dielectric. For metals the value does not
+/// tell that.
+///   as_is     a dielectric of the library is within `distance` codes
+///   doubled   the value was encoded twice
+///   missing   the value was never encoded
+struct Explanation {
+  enum class Cause { none, as_is, doubled, missing } cause = Cause::none;
+  double original = 0;  // the F0 that was meant
+  double distance = 0;  // codes from the nearest dielectric under that cause
+  std::string material;
+};
+
+/// The most likely explanation of a linear F0. Only a grey is explained; the cause is `none` unless some
+/// dielectric of the library is within 4 codes.
+Explanation explain_f0(const KnownMaterials& known, const std::array<double, 3>& linear,
+                       TextureTransfer transfer);
+
+}  // namespace etak

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/number.h"
+#include "core/judge/rules/rows.h"
+
+namespace etak {
+
+namespace {
+
+// Whether a plateau is half metal, which ETK113 reports: ETK101 gives at most a warning for it.
+bool is_half_metal(const RuleCheck& check, const Plateau& plateau) {
+  return check.evidence.metal_rough && plateau.metallic > half_metal_above && plateau.metallic < metal_from;
+}
+
+// Share of the opaque texels whose F0 is that of ordinary dielectrics.
+double ordinary_share(const TileEvidence& tile) {
+  std::uint64_t others = tile.counts.metals;
+  for (const RegionKind kind : {RegionKind::zone, RegionKind::gem, RegionKind::f0_low, RegionKind::f0_zero})
+    if (const PlateauSummary* found = tile.region(kind)) others += found->masked;
+  if (tile.counts.opaque == 0 || others >= tile.counts.opaque) return 0;
+  return static_cast<double>(tile.counts.opaque - others) / static_cast<double>(tile.counts.opaque);
+}
+
+struct PlateauVerdict {
+  Severity severity;
+  const KnownF0* softener = nullptr;  // the common material that makes a warning of it
+};
+
+// The severity of a plateau. A common material of the zone at that colour lowers an error to a warning; a
+// material that the file names lowers it to information.
+PlateauVerdict verdict_on(const RuleCheck& check, const TileEvidence& tile, const Plateau& plateau) {
+  if (is_half_metal(check, plateau)) return {check.at_most(Severity::warning)};
+  const ZoneSettings& zone = check.settings.zone;
+  const KnownMaterials& known = known_materials(check.settings);
+  const std::vector<const KnownF0*> named = known.f0_of(tile.tile.material);
+  double nearest = check.parameter("match_bytes");
+  PlateauVerdict out{check.severity()};
+  for (const KnownF0& entry : known.f0()) {
+    if (entry.luminance <= zone.low || entry.luminance >= zone.high) continue;
+    const bool is_named = !named.empty() && named.front()->id == entry.id;
+    // Of materials that are not named only common ones count, by their preferred dataset: all datasets
+    // together would excuse a fifth of the greys.
+    if (!is_named && !(entry.preferred && entry.common)) continue;
+    const double distance = code_distance(plateau.specular, entry, check.settings.transfer);
+    if (distance > check.parameter("match_bytes")) continue;
+    if (is_named) return {check.at_most(Severity::info)};
+    if (out.softener != nullptr && distance >= nearest) continue;
+    nearest = distance;
+    out = {check.at_most(Severity::warning), &entry};
+  }
+  return out;
+}
+
+}  // namespace
+
+constinit const Rule etk101_f0_forbidden_zone{
+    .id = "ETK101",
+    .slug = "f0-forbidden-zone",
+    .title = "F0 lies where no common material is",
+    .severity = Severity::error,
+    .needs = {Need::bytes_b, Need::regions},
+    .parameters = {{"match_bytes", 3, 3, "codes",
+                    "distance at which a plateau counts as a material of the library"}},
+    .source =
+        "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors below 0.4564 "
+        "invalid; thresholds of the region analysis measured on synthetic edges (etak)",
+    .what =
+        "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 125 to 177 for "
+        "greys). A warning where the colour is within 3 codes of a common material of the library that lies "
+        "in the zone itself (silicon, graphite, hematite, titanium nitride), information when the file names "
+        "a material of the zone and the colour is its own, and a warning where a metal-rough set is half "
+        "metal (ETK113). Regions, not texels: what filtering makes of an edge between metal and dielectric "
+        "is left to ETK102. The smallest region is 32 texels and 0.001 % of the tile: a first limit of 0.01 "
+        "% would have hidden a patch of 10 x 10 in a tile of 1024 x 1024. Codes are rounded: what lies "
+        "within half a code of a limit (0.0028 at 0.45, 0.0018 at 0.20) counts as outside, such as Hoffman's "
+        "0.200, code 124, and indium antimonide, 0.4492.",
+    .why =
+        "Dielectrics reflect 2 to 5 %, gems up to 17 %, metals half or more. Between lie only semiconductors "
+        "and a few compounds.",
+    .example =
+        "Plastic of F0 0.04 encoded to sRGB twice reads as 0.22; a 50 % grey specular map reads as 0.21.",
+    .fix =
+        "Decide whether the surface is metal or not; re-export without a second sRGB conversion; or name the "
+        "material.",
+    .region = RegionKind::zone,
+    .check = [](RuleCheck& check) {
+      const ZoneSettings& zone = check.settings.zone;
+      for (const auto& [tile, plateaus] : check.regions(RegionKind::zone)) {
+        const Plateau* shown = nullptr;
+        PlateauVerdict worst{Severity::off};
+        for (const Plateau& plateau : plateaus.largest) {
+          const PlateauVerdict verdict = verdict_on(check, tile, plateau);
+          if (verdict.severity <= worst.severity) continue;
+          worst = verdict;
+          shown = &plateau;
+        }
+        Finding& finding = check.report(tile, plateaus, *shown);
+        finding.severity = worst.severity;
+        finding.limit = percent(zone.low) + " to " + percent(zone.high);
+        const Explanation why =
+            explain_f0(known_materials(check.settings), shown->specular, check.settings.transfer);
+        if (is_half_metal(check, *shown)) {
+          finding.cause = "metallic is " + number(shown->metallic, 2);
+          finding.message += "; " + finding.cause;
+        } else if (why.cause == Explanation::Cause::doubled && !check.evidence.metal_rough) {
+          finding.cause = "matches a dielectric of F0 " + number(why.original, 2) + " (" + why.material +
+                          ") sRGB-encoded twice, within " + number(why.distance, 2) + " codes";
+          // Beside ordinary dielectrics it may be a patch instead of a second conversion.
+          if (ordinary_share(tile) > 0.1)
+            finding.cause = "possible cause: " + finding.cause;
+          else
+            finding.message += "; " + finding.cause;
+        }
+        if (worst.softener != nullptr)
+          finding.message += "; no error, because it is within " + number(check.parameter("match_bytes"), 2) +
+                             " codes of " + worst.softener->id + ", which is common";
+      }
+    }};
+
+}  // namespace etak

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/image/atlas_rect.h"
+#include "core/image/picture.h"
+#include "core/judge/finding.h"
+#include "core/judge/settings.h"
+
+namespace etak {
+
+/// What a file holds.
+enum class FileRole {
+  diffuse_alpha,   // A: diffuse RGB and alpha
+  specular_gloss,  // B: specular RGB (F0) and gloss
+  f0_only,         // F0 as RGB; a fourth channel, if any, is gloss
+  base_color,      // metal-rough: base colour and alpha
+  metal_rough,     // metal-rough: G roughness, B metallic
+  metallic,        // the same in files of their own: grey
+  roughness,
+  gloss,     // 1 - roughness in a file of its own: grey
+  layout,    // JSON of a packed atlas
+  scene,     // glTF
+  material,  // material JSON
+  spectrum,  // page or table of n,k or reflectance
+  // Maps beside the colours of a material, which the rules 7xx judge.
+  normal,
+  height,
+  occlusion,
+  emissive,
+  // What names tell and no rule judges.
+  opacity,
+  other,    // cavity, masks, translucency, ...
+  ignored,  // left out by [names] of etak.toml
+};
+// "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
+std::string_view name(FileRole role);
+// The role of that name, among those that are judged; gloss alone is none of them.
+std::optional<FileRole> role_named(std::string_view text);
+// The role of that name, among all that the name of a picture may tell: also "gloss", "normal", "ignore", ...
+std::optional<FileRole> picture_role_named(std::string_view text);
+// The roles that a user may give to a picture, for messages.
+inline constexpr std::string_view picture_roles = "diffuse, specular, f0, base-color or metal-rough";
+
+/// Whether pictures of this role are judged as a material's colours, metal and gloss.
+bool is_judged(FileRole role);
+/// Whether they are maps that are judged beside those: normal, occlusion and emissive maps, and height for
+/// the normal map beside it.
+bool is_map(FileRole role);
+
+/// False for layouts, scenes, materials and spectra.
+bool is_picture(FileRole role);
+
+/// The direction in the picture in which the green channel of a normal map points: up (OpenGL) or down (DirectX).
+enum class GreenAxis { unsaid, opengl, directx };
+std::string_view name(GreenAxis green);  // "opengl", "directx"; empty: unsaid
+
+/// A file of a target.
+struct TargetFile {
+  FileRole role = FileRole::specular_gloss;
+  std::string path;      // to open
+  std::string label;     // for reports: relative to the run's root
+  bool guessed = false;  // the role comes from the file's name (ETK010)
+  // What R, G, B and A hold, a letter for each (channel_word of names.h); empty: the usual channels of the
+  // role.
+  std::string channels = {};
+  GreenAxis green = GreenAxis::unsaid;            // of a normal map, by its name
+  std::shared_ptr<const std::string> bytes = {};  // of the picture file, in the place of those at `path`
+  friend bool operator==(const TargetFile&, const TargetFile&) = default;
+
+  /// The file to open.
+  PictureFile picture() const { return {path, bytes ? *bytes : std::string(), label}; }
+};
+
+/// A part of the picture that is judged on its own: a tile of an atlas.
+///   material        the material that the tile shows, as stated: an id or name of the library, or a name of
+///                   the project's own
+///   surface_class   a class of ETK205 ("dry-sand"); may be empty
+///   typical_gloss   the gloss that is expected of this material, for ETK303
+struct CheckTile {
+  std::string name, material, surface_class;
+  PixelBox box;
+  int page = 0;
+  std::optional<double> typical_gloss;
+  std::optional<int> gutter, mips;  // where they differ from the manifest's
+  // For the diffuse and the specular texture: the codes of a texture that the pages do without, because it is
+  // constant over the tile.
+  std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;
+  std::string island_of;  // material of an atlas whose texels may lie in several tiles; empty: no atlas
+  int own_around = 0;     // width of the frame around the tile that holds texels of the tile's own picture
+  friend bool operator==(const CheckTile&, const CheckTile&) = default;
+};
+
+/// What is stated about the pictures, in an atlas layout or on the command line.
+struct Manifest {
+  std::vector<CheckTile> tiles;  // empty: the whole picture is one
+  int gutter = 0;                // texels around each tile that repeat its edge
+  std::optional<int> mips;       // levels below level 0 that must stay clean (ETK504)
+  std::optional<TextureTransfer> transfer;
+  std::string material, surface_class;  // of the whole picture
+  bool linear8_f0 = false;              // F0 is declared to be 8-bit linear (ETK405)
+  bool transparent = false;             // alpha is transparency
+  bool one_texture = false;             // the other texture was left out on purpose: its values are constant
+  // Of pages: the path of the scene that reads them, where that is judged too. What the pages show is judged
+  // with it, and here what their layout alone can break.
+  std::string scene;
+  // Of a page whose materials' parts lie apart: what they show is judged material by material, and of the page what
+  // its layout alone can break.
+  bool layout_alone = false;
+  std::vector<AtlasRect>
+      parts;            // of such a material: the pictures are put together from these regions of the files
+  bool packed = false;  // of a scene: its pictures are pages, whose sides their packer chose
+  // The shader multiplies diffuse by 1 - max F0, as glTF's does (ETK201).
+  bool specular_weighs_diffuse = false;
+  friend bool operator==(const Manifest&, const Manifest&) = default;
+};
+
+/// One thing to check: a file, or the files that belong together. It yields one CheckedFile; the tiles of a
+/// UDIM set yield one together.
+struct CheckTarget {
+  std::string label;  // path of the CheckedFile, relative; the first file's when empty
+  std::vector<TargetFile> files;
+  Manifest manifest;
+  std::string udim = {};  // of a tile: the label with <UDIM> in the place of its number, equal for all tiles
+  std::string tile = {};  // "1001"
+  // Files of other targets that the maps of this one are held against: base colour, roughness, gloss.
+  std::vector<TargetFile> beside = {};
+  friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
+
+  /// What findings about the whole target name: its label, else that of its first file.
+  std::string own_label() const;
+  /// The file with the first of these roles that some file has; null: none has one of them.
+  const TargetFile* with_role(std::initializer_list<FileRole> wanted) const;
+};
+
+/// The opened pictures of a target: null where there is none, or where no rule needs it.
+struct PictureRows {
+  std::unique_ptr<RowSource> a, b;      // diffuse + alpha, specular + gloss
+  std::unique_ptr<RowSource> metallic;  // of a metal-rough set: metallic in each of the first three channels
+};
+
+/// The pictures of a target in memory, for the packer and the editor. Null where there is none.
+struct PicturesInMemory {
+  const Image8* a = nullptr;         // 4 channels
+  const Image8* b = nullptr;         // 4 channels
+  const Image8* metallic = nullptr;  // 1 channel
+
+  PictureRows rows() const;
+};
+
+}  // namespace etak

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "core/image/picture.h"
+#include "core/judge/target.h"
+
+namespace etak {
+
+/// Opens a picture of a target; called once for each pass over the pixels.
+using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&)>;
+
+/// Opens a picture of a target: the file at its path, or its bytes, which then must outlive the source.
+/// Throws Error.
+std::unique_ptr<RowSource> open_target_file(const TargetFile& file, const PictureDoor& door);
+
+/// The pictures of a target as codes (a metal-rough set is converted first), for mask pictures and
+/// thumbnails. A and B as the rules see them; empty (0 x 0) where there is none. Throws Error.
+struct LoadedPictures {
+  Image8 a, b, metallic;
+  PicturesInMemory in_memory() const;
+};
+LoadedPictures load_pictures(const CheckTarget& target, const PictureDoor& door);
+
+}  // namespace etak

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/find/kind.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/files/input.h"
+#include "core/base/system.h"
+#include "core/base/text/ascii.h"
+#include "core/exchange/content_kind.h"
+#include "core/exchange/material_file.h"
+#include "core/image/picture_bytes.h"
+#include "core/image/picture_endings.h"
+
+namespace etak {
+
+namespace {
+
+std::optional<FileRole> kind_of_json(std::string_view head) {
+  const auto has = [&](std::string_view text) { return head.find(text) != std::string_view::npos; };
+  if (has("\"pages\"") && (has("\"rects\"") || has("etak-atlas-layout"))) return FileRole::layout;
+  if (has("\"datasets\"") || has("etak-material/")) return FileRole::material;
+  return std::nullopt;
+}
+
+// The role of input from a pipe by its content, because it has no ending that could tell the role.
+std::optional<FileRole> kind_of_content(std::string_view head) {
+  switch (content_kind(head)) {
+    case ContentKind::gltf:
+      return FileRole::scene;
+    case ContentKind::json:
+      return kind_of_json(head);
+    case ContentKind::page:
+    case ContentKind::table:
+      return FileRole::spectrum;
+    case ContentKind::binary:
+    case ContentKind::prose:
+      break;
+  }
+  // A picture may look like text as well: Radiance HDR begins with lines of text.
+  if (!picture_format(head, "").empty()) return FileRole::specular_gloss;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<FileRole> role_of_file(const std::string& path) {
+  const std::string ending = lower_case(sys::path_text(std::filesystem::path(path).extension()));
+  const std::string_view bare = std::string_view(ending).substr(ending.empty() ? 0 : 1);
+  if (bare == radiance_ending ||
+      std::find(picture_endings.begin(), picture_endings.end(), bare) != picture_endings.end())
+    return FileRole::specular_gloss;
+  if (ending == ".gltf" || ending == ".glb") return FileRole::scene;
+  const MaterialFileKind kind = material_file_kind(path);
+  if (kind == MaterialFileKind::page || (kind == MaterialFileKind::table && !may_be_prose(path)))
+    return FileRole::spectrum;
+  const bool pipe = is_pipe_input(path);
+  if (ending != ".json" && !pipe) return std::nullopt;
+  const std::string head = read_head(path, content_head);
+  return ending == ".json" ? kind_of_json(head) : kind_of_content(head);
+}
+
+}  // namespace etak

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/find/picture_namer.h"
+
+#include <utility>
+
+#include "core/base/files/input.h"
+#include "core/base/text/ascii.h"
+#include "core/findings/suppress.h"
+#include "core/validate/find/file_hints.h"
+
+namespace etak {
+
+std::string_view folder_of(std::string_view path) {
+  return path.substr(0, path.rfind('/') + 1);  // npos + 1 is 0
+}
+
+std::string PictureNamer::label(const std::string& path) {
+  // Input from a pipe lies in no folder and keeps its name.
+  if (is_pipe_input(path)) return path;
+  // Labels of one folder begin alike.
+  const std::string_view folder = folder_of(path);
+  if (labelled_ != folder || label_.empty()) {
+    labelled_ = folder;
+    label_ = relative_label(labelled_ + 'x', config_.root);
+    if (label_.ends_with("/x") || label_ == "x")
+      label_.pop_back();
+    else
+      return std::exchange(label_, {}), relative_label(path, config_.root);
+  }
+  return label_ + path.substr(folder.size());
+}
+
+std::optional<NamedPicture> PictureNamer::named(const std::string& path) {
+  const std::string_view folder = folder_of(path), name = std::string_view(path).substr(folder.size());
+  NamedPicture out;
+  out.path = path;
+  if (!config_.roles.empty()) {
+    const std::string relative = label(path);
+    for (const RolePattern& pattern : config_.roles) {
+      if (!glob_matches(pattern.pattern, relative)) continue;
+      out.name.role = pattern.role;
+      out.name.convention = Convention::own;
+      out.name.set =
+          pattern_stem(pattern.pattern.substr(folder_of(pattern.pattern).size()), std::string(name));
+      out.key = lower_case(std::string(folder) + out.name.set);
+      return out;
+    }
+  }
+  auto parsed = reader_.read(name);
+  if (!parsed) return std::nullopt;
+  out.name = std::move(*parsed);
+  out.guessed = out.name.convention != Convention::own;
+  out.key = lower_case(std::string(folder) + out.name.set);
+  // Each part begins with a line end, so that keys with and without it differ.
+  if (!out.name.tile.empty()) out.key += '\n' + out.name.tile;
+  if (!out.name.lod.empty()) out.key += '\n' + out.name.lod;
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/validate/config.h"
+#include "core/validate/find/picture_sets.h"
+#include "core/validate/names/names.h"
+
+namespace etak {
+
+/// The folder of a path, ending in '/'; empty for a bare name.
+std::string_view folder_of(std::string_view path);
+
+/// Labels of files, and what the names of pictures tell. It remembers the folder it was asked for last, because
+/// files of one folder mostly come one after the other: each thread has one of its own.
+class PictureNamer {
+ public:
+  /// Both must live longer.
+  PictureNamer(const ValidateConfig& config, const NameReader& reader) : config_(config), reader_(reader) {}
+
+  /// How reports call a file: relative to the root of the run.
+  std::string label(const std::string& path);
+
+  /// The picture with what its name tells; nullopt where that is no role.
+  std::optional<NamedPicture> named(const std::string& path);
+
+ private:
+  const ValidateConfig& config_;
+  const NameReader& reader_;
+  std::string labelled_, label_;  // a folder, and how the labels of its files begin
+};
+
+}  // namespace etak

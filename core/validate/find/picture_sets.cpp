@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/find/picture_sets.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace etak {
+namespace {
+
+bool is_color(FileRole role) {
+  return role == FileRole::base_color || role == FileRole::diffuse_alpha;
+}
+
+// Whether pictures of this role are judged together with a colour.
+bool is_part(FileRole role) {
+  return role == FileRole::specular_gloss || (role >= FileRole::metal_rough && role <= FileRole::gloss);
+}
+
+// Whether the roles may be taken from names that are no proof alone. They need a picture of another role
+// whose name is one, or a colour and a part together. Single letters of Unreal's names also number things (a,
+// b, c), so that a colour and a part by letters alone need a third role or a longer word besides.
+bool unsure_agree(std::span<const NamedPicture> same) {
+  bool color = false, part = false, words = false;
+  bool proof = false;
+  std::set<FileRole> roles, judged;
+  for (const NamedPicture& picture : same) {
+    const ParsedName& name = picture.name;
+    const bool letters = !name.sure && name.convention == Convention::unreal;
+    color = color || is_color(name.role);
+    part = part || is_part(name.role);
+    words = words || (!letters && (is_color(name.role) || is_part(name.role)));
+    roles.insert(name.role);
+    if (!is_judged(name.role)) continue;
+    judged.insert(name.role);
+    proof = proof || name.sure;
+  }
+  return (proof && judged.size() > 1) || (color && part && (words || roles.size() >= 3));
+}
+
+class SetMaker {
+ public:
+  explicit SetMaker(std::vector<NamedPicture*> same) : left_(std::move(same)) {}
+
+  std::vector<PictureSet> run() {
+    settle_roles();
+    PictureSet maps = take_maps();
+    take_f0();
+    const bool metal = has(FileRole::metal_rough) || has(FileRole::metallic);
+    if (has(FileRole::base_color) && (metal || !has(FileRole::specular_gloss)))
+      take_metal_rough();
+    else if (has(FileRole::base_color))
+      rename(FileRole::base_color, FileRole::diffuse_alpha);
+    take_pairs();
+    take_lone_parts();
+    if (!maps.members.empty()) judge_together(std::move(maps));
+    return std::move(sets_);
+  }
+
+ private:
+  bool has(FileRole role) const {
+    return std::ranges::any_of(left_, [&](const NamedPicture* p) { return p->name.role == role; });
+  }
+
+  std::size_t count(bool (*wanted)(FileRole)) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(left_, [&](const NamedPicture* p) { return wanted(p->name.role); }));
+  }
+
+  void rename(FileRole from, FileRole to) {
+    for (NamedPicture* picture : left_)
+      if (picture->name.role == from) picture->name.role = to;
+  }
+
+  // Takes out the first picture of a role that is left; null: none.
+  NamedPicture* take(FileRole role) {
+    const auto found = std::ranges::find_if(left_, [&](const auto* p) { return p->name.role == role; });
+    if (found == left_.end()) return nullptr;
+    NamedPicture* out = *found;
+    left_.erase(found);
+    return out;
+  }
+
+  void settle_roles() {
+    // "Diffuse" beside metallic or roughness, and without F0, is another word for the base colour.
+    const bool parts = has(FileRole::metal_rough) || has(FileRole::metallic) || has(FileRole::roughness) ||
+                       has(FileRole::gloss);
+    if (parts && !has(FileRole::specular_gloss) && !has(FileRole::base_color))
+      rename(FileRole::diffuse_alpha, FileRole::base_color);
+    for (NamedPicture* picture : left_) {
+      ParsedName& name = picture->name;
+      if (!name.otherwise) continue;
+      if (is_color(name.role) && count(is_color) > 1) {
+        name.role = *name.otherwise;
+      } else if (name.role == FileRole::metallic && !has(FileRole::roughness)) {
+        name.role = *name.otherwise;
+        picture->note =
+            "masks in an order that its name does not tell; metallic only beside a roughness file";
+      }
+    }
+    std::erase_if(left_,
+                  [](const NamedPicture* p) { return !is_judged(p->name.role) && !is_map(p->name.role); });
+  }
+
+  // Normal, occlusion and emissive maps, with height where there are normals that it can be held against.
+  PictureSet take_maps() {
+    PictureSet set;
+    const bool has_normals = has(FileRole::normal);
+    for (NamedPicture* picture : left_)
+      if (is_map(picture->name.role)) {
+        if (picture->name.role != FileRole::height || has_normals) set.members.push_back(picture);
+      } else {
+        set.beside.push_back(picture);
+      }
+    std::erase_if(left_, [](const NamedPicture* p) { return is_map(p->name.role); });
+    std::ranges::stable_sort(set.members, {}, [](const NamedPicture* p) { return p->name.role; });
+    return set;
+  }
+
+  void judge_together(PictureSet set) {
+    for (NamedPicture* member : set.members)
+      member->as = set.missing.empty() ? ListedAs::judged : ListedAs::lone;
+    sets_.push_back(std::move(set));
+  }
+
+  void take_f0() {
+    while (NamedPicture* picture = take(FileRole::f0_only)) judge_together({{picture}, {}});
+  }
+
+  // All base colours are judged with the same parts: colour variants of one material share one roughness.
+  void take_metal_rough() {
+    std::vector<NamedPicture*> parts;
+    const auto add = [&](FileRole role) {
+      NamedPicture* picture = take(role);
+      if (picture != nullptr) parts.push_back(picture);
+      return picture;
+    };
+    NamedPicture* const packed = add(FileRole::metal_rough);
+    const std::string channels = packed == nullptr               ? ""
+                                 : packed->name.channels.empty() ? "-rm-"
+                                                                 : packed->name.channels;
+    const bool packs_metal = channels.find('m') != channels.npos;
+    const bool packs_roughness = channels.find_first_of("rs") != channels.npos;
+    const bool metal = packs_metal || add(FileRole::metallic) != nullptr;
+    const bool rough =
+        packs_roughness || add(FileRole::roughness) != nullptr || add(FileRole::gloss) != nullptr;
+    while (NamedPicture* color = take(FileRole::base_color)) {
+      PictureSet set{{color}, {}};
+      set.members.insert(set.members.end(), parts.begin(), parts.end());
+      if (!metal && !rough)
+        set.missing = "a base colour without roughness and metallic, single or packed";
+      else if (!metal && packed == nullptr && !absent_metalness_is_dielectric(color->name.convention))
+        set.missing = "base colour and roughness without metallic, which names of " +
+                      std::string(name(color->name.convention)) + " always bring";
+      else if (!metal)
+        color->note = "no metalness: a dielectric, as " + said_by(color->name.convention);
+      judge_together(std::move(set));
+    }
+    for (const FileRole role :
+         {FileRole::metal_rough, FileRole::metallic, FileRole::roughness, FileRole::gloss})
+      while (NamedPicture* spare = take(role)) spare->note = "another file of the set says it already";
+    if (!has(FileRole::diffuse_alpha))
+      while (NamedPicture* spare = take(FileRole::specular_gloss))
+        spare->note = "F0 of a metal-rough set comes from its base colour";
+    else if (!has(FileRole::specular_gloss))
+      while (NamedPicture* spare = take(FileRole::diffuse_alpha)) spare->note = "the base colour is judged";
+  }
+
+  static std::string said_by(Convention convention) {
+    return convention == Convention::common || convention == Convention::own
+               ? "of materials that leave the file out"
+               : "names of " + std::string(name(convention)) + " mean it";
+  }
+
+  void take_pairs() {
+    while (has(FileRole::diffuse_alpha) || has(FileRole::specular_gloss)) {
+      PictureSet set;
+      for (const FileRole role : {FileRole::diffuse_alpha, FileRole::specular_gloss})
+        if (NamedPicture* picture = take(role)) set.members.push_back(picture);
+      // A pair may have its gloss in a file of its own.
+      if (set.members.size() == 2) {
+        NamedPicture* gloss = take(FileRole::gloss);
+        if (gloss == nullptr) gloss = take(FileRole::roughness);
+        if (gloss != nullptr) set.members.push_back(gloss);
+      }
+      judge_together(std::move(set));
+    }
+  }
+
+  // Metallic, roughness and packed pictures cannot be judged without a base colour.
+  void take_lone_parts() {
+    if (left_.empty()) return;
+    PictureSet set;
+    std::string what;
+    for (NamedPicture* picture : left_) {
+      set.members.push_back(picture);
+      const std::string_view word = name(picture->name.role);
+      if (what.find(word) == what.npos) (what += what.empty() ? "" : ", ") += word;
+    }
+    left_.clear();
+    set.missing = what + " without the base colour";
+    judge_together(std::move(set));
+  }
+
+  std::vector<NamedPicture*> left_;
+  std::vector<PictureSet> sets_;
+};
+
+using PictureForm = std::pair<std::string_view, std::string_view>;  // resolution and format
+
+PictureForm form_of(const NamedPicture& picture) {
+  return {picture.name.resolution, picture.name.format};
+}
+
+// Whether a role is there twice, in two resolutions or formats.
+bool comes_in_forms(std::span<NamedPicture* const> same) {
+  std::map<FileRole, PictureForm> forms;
+  return std::ranges::any_of(same, [&](const NamedPicture* picture) {
+    return is_judged(picture->name.role) &&
+           forms.try_emplace(picture->name.role, form_of(*picture)).first->second != form_of(*picture);
+  });
+}
+
+}  // namespace
+
+std::vector<PictureSet> sets_of(std::span<NamedPicture> same) {
+  const bool agree = unsure_agree(same);
+  std::vector<NamedPicture*> known;
+  for (NamedPicture& picture : same) {
+    if (!picture.name.sure && !agree) {
+      picture.as = ListedAs::unknown;
+      picture.note = "its name tells no role without companions";
+    } else {
+      known.push_back(&picture);
+    }
+  }
+  std::vector<PictureSet> out;
+  const auto add = [&](std::vector<NamedPicture*> pictures) {
+    for (PictureSet& set : SetMaker(std::move(pictures)).run()) out.push_back(std::move(set));
+  };
+  if (!comes_in_forms(known)) {
+    add(std::move(known));
+    return out;
+  }
+  std::ranges::stable_sort(known, [](const auto* a, const auto* b) { return form_of(*a) < form_of(*b); });
+  for (std::size_t begin = 0, end = 0; begin < known.size(); begin = end) {
+    while (end < known.size() && form_of(*known[end]) == form_of(*known[begin])) ++end;
+    add({known.begin() + static_cast<std::ptrdiff_t>(begin),
+         known.begin() + static_cast<std::ptrdiff_t>(end)});
+  }
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/base/hash/sha256.h"
+#include "core/findings/output/formats.h"
+#include "core/findings/shards/report_shard.h"
+#include "core/image/files/png.h"
+#include "core/pages/finding_pictures.h"
+#include "core/validate/files/cut_targets.h"
+#include "core/validate/validate.h"
+#include "tests/core/findings/sample_report.h"
+#include "tests/core/image/png_of.h"
+#include "tests/core/judge/corpus.h"
+#include "tests/core/pages/json_schema.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+const OutputOptions sharded_options{Severity::error, "1.2.3"};
+
+// A folder of sets of every kind, whose names, sizes and defects follow from the seed.
+void write_store(const TempFolder& folder, Random& random) {
+  const std::vector<std::string> folders{"", "props/", "walls/old/", "A b/", "zz/"};
+  for (const std::string& each : folders) std::filesystem::create_directories(folder.file(each));
+  const auto defects = mutations();
+  const int sets = random.below(24);
+  for (int i = 0; i < sets; ++i) {
+    const std::string stem =
+        folders[static_cast<std::size_t>(random.below(5))] + "set" + std::to_string(random.below(40));
+    TextureSet set = natural_set(64, random.next());
+    if (random.below(3) > 0) std::ranges::find(defects, "ETK101", &Mutation::rule)->inject(set, random);
+    std::string a = "_diff.png", b = "_spec.png";
+    if (random.below(5) == 0) {
+      // Tiles of a UDIM set.
+      for (const char* tile : {".1001", ".1002", ".1011"}) {
+        spit(folder.file(stem + "_diff" + tile + ".png"), png_of(set.a));
+        spit(folder.file(stem + "_spec" + tile + ".png"), png_of(set.b));
+      }
+      continue;
+    }
+    spit(folder.file(stem + a), png_of(set.a));
+    std::string bytes = png_of(set.b);
+    if (random.below(8) == 0) bytes.resize(bytes.size() / 2);
+    if (random.below(6) > 0) spit(folder.file(stem + b), bytes);
+    if (random.below(4) == 0) spit(folder.file(stem + "_normal.png"), png_of(set.b));
+    if (random.below(6) == 0) spit(folder.file(stem + "_palette.png"), png_of(set.a));
+  }
+  if (random.below(2) == 0) spit(folder.file("broken.json"), "{ \"id\": \"x\", \"datasets\": [] }");
+  spit(folder.file("notes.md"), "text");
+}
+
+ValidationRequest store_request(const TempFolder& folder, Random& random) {
+  ValidationRequest out;
+  out.paths = {folder.path()};
+  out.config.root = folder.path();
+  out.config.file = folder.file("etak.toml");
+  out.version = sharded_options.version;
+  out.today = "2026-11-23";
+  out.hashes = true;
+  out.must_check = random.below(2) == 0;
+  Settings& settings = out.config.settings;
+  settings.profile = random.below(2) == 0 ? Profile::standard : Profile::strict;
+  if (random.below(2) == 0) {
+    settings.allow.push_back({"ETK101", "set1*_spec.png", "", "", "a sensor", ""});
+    settings.allow.push_back({"ETK2", "props/**", "", "", "of old", "2026-01-01"});
+    settings.allow.push_back({"ETK302", "", "", "", "as it is", "2027-01-01"});
+    settings.allow.push_back({"ETK5", "gone/**", "", "", "not there any more", ""});
+  }
+  return out;
+}
+
+// Every form of the report, one behind the other.
+std::vector<std::string> forms_of(const ValidationReport& report, const Settings& settings) {
+  std::vector<std::string> out{validation_json(report, sharded_options),
+                               validation_sarif(report, sharded_options),
+                               validation_junit(report, sharded_options),
+                               validation_csv(report),
+                               validation_github(report),
+                               validation_text(report),
+                               baseline_json(baseline_of(report))};
+  // The page of a merge has no pictures and says so; all else is that of the whole run.
+  ValidationReport merged = report;
+  merged.merged = true;
+  const std::vector<ValidationPageFile> no_pictures(report.files.size());
+  out.push_back(validation_page(merged, no_pictures, {sharded_options.version, settings}));
+  return out;
+}
+
+std::vector<ReadShard> shards_of(const ValidationRequest& request, std::size_t count) {
+  std::vector<ReadShard> out;
+  for (std::size_t i = 1; i <= count; ++i) {
+    ValidationRequest part = request;
+    part.shard = Shard{i, count};
+    part.threads = 1 + static_cast<unsigned>(i % 3);
+    const std::string text = validation_json(validate(std::move(part)), sharded_options);
+    out.push_back(read_shard(text, std::to_string(i) + ".json", sharded_options.version));
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the merge of any number of shards is the run of all, in every form") {
+  Random random(11);
+  for (int run = 0; run < 10; ++run) {
+    const TempFolder folder;
+    write_store(folder, random);
+    ValidationRequest request = store_request(folder, random);
+    if (random.below(2) == 0) {
+      request.known = baseline_of(validate(request));
+      std::erase_if(request.known, [&](const KnownDefect&) { return random.below(2) == 0; });
+    }
+    const ValidationReport whole = validate(request);
+    const auto forms = forms_of(whole, request.config.settings);
+    ValidationRequest renewing = request;
+    renewing.renew_known = true;
+    const auto renewed = forms_of(validate(renewing), request.config.settings);
+    for (std::size_t count = 1; count <= 7; ++count) {
+      INFO("run " << run << ", " << count << " shards");
+      auto shards = shards_of(request, count);
+      std::ranges::reverse(shards);
+      const ValidationReport merged = merged_report(shards, false);
+      for (const ValidationPageFile& each :
+           page_pictures(merged, request.config.settings, {}, most_files_with_pictures, 1))
+        CHECK(each.pictures.empty());
+      CHECK(merged.passed == whole.passed);
+      CHECK(merged.incomplete == whole.incomplete);
+      const auto again = forms_of(merged, shards.front().report.shard->settings);
+      for (std::size_t f = 0; f < forms.size(); ++f) {
+        INFO("form " << f);
+        CHECK((again[f] == forms[f]));
+      }
+      CHECK((forms_of(merged_report(shards, true), request.config.settings) == renewed));
+    }
+  }
+}
+
+TEST_CASE("a shard says which it is in every form, and its JSON fits the schema") {
+  const TempFolder folder;
+  Random random(5);
+  for (int i = 0; i < 4; ++i) write_store(folder, random);
+  ValidationRequest request = store_request(folder, random);
+  request.shard = Shard{2, 3};
+  const ValidationReport report = validate(request);
+  REQUIRE(!report.files.empty());
+  const auto json = nlohmann::json::parse(validation_json(report, sharded_options));
+  const JsonSchema schema(
+      nlohmann::json::parse(slurp(source_folder() + "/resources/schema/validation.schema.json")));
+  CHECK(schema.problem(json) == "");
+  CHECK(json["shard"]["index"] == 2);
+  CHECK(contains(validation_sarif(report, sharded_options), "\"shard\": \"2/3\""));
+  CHECK(contains(validation_junit(report, sharded_options), "name=\"etak validate, shard 2/3\""));
+  CHECK(contains(validation_csv(report), ",2/3\r\n"));
+  CHECK(contains(validation_text(report), "shard 2/3: "));
+  CHECK(contains(validation_github(report), "shard 2/3: "));
+  request.shard = Shard{1, 3};
+  const auto first = nlohmann::json::parse(validation_json(validate(request), sharded_options));
+  CHECK(schema.problem(first) == "");
+  CHECK(first["shard"]["list"] == json["shard"]["list"]);
+  CHECK(first["shard"]["options"] == json["shard"]["options"]);
+}
+
+TEST_CASE("what decides the result changes the digests of a shard, and nothing else does") {
+  const TempFolder folder;
+  Random random(7);
+  for (int i = 0; i < 3; ++i) write_store(folder, random);
+  ValidationRequest request = store_request(folder, random);
+  request.config.settings.allow.clear();
+  request.shard = Shard{1, 2};
+  const auto shard_by = [&](const std::function<void(ValidationRequest&)>& change) {
+    ValidationRequest other = request;
+    change(other);
+    return *validate(other).shard;
+  };
+  const ReportShard usual = shard_by([](ValidationRequest&) {});
+  CHECK(shard_by([](ValidationRequest& r) { r.threads = 5; }).options == usual.options);
+  CHECK(shard_by([](ValidationRequest& r) { r.today = "2030-01-01"; }).options == usual.options);
+  const std::vector<std::function<void(ValidationRequest&)>> changes{
+      [](ValidationRequest& r) { r.config.settings.profile = Profile::film; },
+      [](ValidationRequest& r) { r.config.settings.fail_on = Severity::info; },
+      [](ValidationRequest& r) {
+        r.config.settings.allow.push_back({"ETK101", "", "", "", "why", ""});
+      },
+      [](ValidationRequest& r) { r.line_digest = "of other options"; }};
+  for (const auto& change : changes) CHECK(shard_by(change).options != usual.options);
+  CHECK(shard_by([](ValidationRequest&) {}).list == usual.list);
+  spit(folder.file("new_diff.png"), "x");
+  CHECK(shard_by([](ValidationRequest&) {}).list != usual.list);
+}
+
+TEST_CASE(
+    "tiles of a set, pages of a layout and maps of a material are one group; shared textures join none") {
+  FoundTargets found;
+  const auto add = [&](FileRole role, const std::string& path,
+                       std::vector<std::string> depends) -> CheckTarget& {
+    FoundTarget& each = found.targets.emplace_back();
+    each.target.label = path;
+    each.target.files = {{role, path, path}};
+    each.depends = std::move(depends);
+    return each.target;
+  };
+  add(FileRole::specular_gloss, "atlas/a.png", {"atlas/layout.json", "atlas/a.png"}).manifest.scene =
+      "atlas/scene.gltf";
+  add(FileRole::specular_gloss, "atlas/b.png", {"atlas/layout.json", "atlas/b.png"});
+  add(FileRole::scene, "atlas/scene.gltf", {"atlas/scene.gltf", "noise.png"});
+  add(FileRole::scene, "chair.gltf", {"chair.gltf", "noise.png"});
+  add(FileRole::diffuse_alpha, "wood_diff.png", {"wood_diff.png", "wood_spec.png"});
+  add(FileRole::normal, "wood_normal.png", {"wood_normal.png", "wood_spec.png"});
+  add(FileRole::diffuse_alpha, "x.1001.png", {"x.1001.png"}).udim = "x.<UDIM>.png";
+  add(FileRole::diffuse_alpha, "x.1002.png", {"x.1002.png"}).udim = "x.<UDIM>.png";
+  found.lone.emplace_back().path = "lone.png";
+  found.failed.emplace_back().path = "failed.png";
+  const auto groups = groups_of(found, 1);
+  std::vector<std::vector<std::size_t>> targets;
+  for (const TargetGroup& group : groups) targets.push_back(group.targets);
+  CHECK(targets == std::vector<std::vector<std::size_t>>{{0, 1, 2}, {3}, {4, 5}, {6, 7}, {}, {}});
+  CHECK(groups[4].lone == std::vector<std::size_t>{0});
+  CHECK(groups[5].failed == std::vector<std::size_t>{0});
+}
+
+namespace {
+
+// A report that is all of a run of one shard.
+ValidationReport one_shard(std::vector<CheckedFile> files) {
+  ValidationReport out = report_of(std::move(files), {});
+  const std::string digest(32, 'a');
+  out.settings_hash = digest;
+  out.shard = std::make_shared<const ReportShard>(
+      ReportShard{{1, 1, std::pair<std::size_t, std::size_t>(0, 1)}, digest, digest, 1, {}, {}, {}, {}});
+  return out;
+}
+
+ReadShard read_again(const std::string& text) {
+  return read_shard(text, "s.json", sharded_options.version);
+}
+
+// The text with its own SHA-256, as somebody who changes it can give it.
+std::string sealed_again(std::string text) {
+  const std::string seal = "\"sha256\": \"";
+  const std::size_t at = text.find(seal) + seal.size();
+  text.replace(at, 64, std::string(64, '0'));
+  return text.replace(at, 64, sha256(text));
+}
+
+// A document of many members, of a finding that has all of them.
+std::string full_document() {
+  Finding full = finding("ETK007", "a.exr", Severity::error, PixelBox{1, 2, 3, 4});
+  full.linear = {0.5, 0.25, 0.1 + 0.2};
+  full.byte = {1, 2, 3};
+  full.luminance = 0.5;
+  full.nearest = {{"gold", "johnson-1972", 1.0 / 3}};
+  full.islands = {{"left", PixelBox{0, 0, 1, 1}, 1, UvBox{0, 0.1, 1, 1}}, {"right", {}, 2, {}}};
+  full.uv = UvBox{0.3, 0, 1, 1};
+  CheckedFile file = checked_file("a.exr", {full});
+  file.companions = {"b.exr"};
+  file.sha256 = std::string(64, 'b');
+  file.counts = {{"texels", 16}, {"opaque_px", 3}, {"gloss_min", 2}};
+  return validation_json(one_shard({file, checked_file("clean.png")}), sharded_options);
+}
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != text.npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("numbers that JSON has no form of survive the way through a shard") {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  Finding odd = finding("ETK007", "a.exr", Severity::error, PixelBox{1, 2, 3, 4});
+  odd.linear = {std::copysign(nan, -1.0), -inf, 0.1 + 0.2};
+  odd.luminance = inf;
+  ValidationReport report = one_shard({checked_file("a.exr", {odd})});
+  report.files[0].counts = {{"texels", 1}, {"gloss_min", 0}};
+  const ReadShard again = read_again(validation_json(report, sharded_options));
+  REQUIRE(again.report.files.size() == 1);
+  CHECK(again.report.files[0].counts == report.files[0].counts);
+  const Finding& back = again.report.files[0].findings[0];
+  CHECK(std::isnan((*back.linear)[0]));
+  CHECK((*back.linear)[1] == -inf);
+  CHECK((*back.linear)[2] == 0.1 + 0.2);
+  CHECK(*back.luminance == inf);
+  report.shard = nullptr;
+  CHECK(validation_csv(merged_report({again}, false)) == validation_csv(report));
+}
+
+TEST_CASE("what a shard says comes back whole") {
+  const std::string text = full_document();
+  const ReadShard read = read_again(text);
+  CHECK(validation_json(read.report, sharded_options) == text);
+  const auto json = nlohmann::json::parse(text);
+  const JsonSchema schema(
+      nlohmann::json::parse(slurp(source_folder() + "/resources/schema/validation.schema.json")));
+  CHECK(schema.problem(json) == "");
+}
+
+TEST_CASE("every damage of a shard is refused with its file and the place") {
+  const std::string text = full_document();
+  const auto why = [](const std::string& damaged) { return error_of([&] { (void)read_again(damaged); }); };
+  REQUIRE(why(text).empty());
+  const auto check = [&](const std::string& damaged) {
+    const std::string said = why(damaged);
+    INFO(said);
+    CHECK((said.starts_with("s.json:") || said.starts_with("s.json#/")));
+    CHECK(!contains(said, "json.exception"));
+    CHECK(!contains(said, "syntax error"));
+  };
+  for (std::size_t end = 0; end < text.size(); end += 7) check(text.substr(0, end));
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t next = text.find('\n', at) + 1;
+    check(text.substr(0, at) + text.substr(next));  // a line deleted
+    check(text.substr(0, next) + text.substr(at));  // and doubled
+    at = next;
+  }
+  for (std::size_t at = 0; at < text.size(); at += 5) {
+    std::string zeros = text;
+    zeros.replace(at, 16, std::min<std::size_t>(16, text.size() - at), '\0');
+    check(zeros);
+    std::string other = text;
+    other[at] = static_cast<char>(other[at] ^ 1);
+    check(other);
+  }
+}
+
+TEST_CASE("values that etak does not write in a shard are refused though their SHA-256 fits") {
+  const std::string text = full_document();
+  REQUIRE(error_of([&] { (void)read_again(sealed_again(text)); }).empty());
+  const std::vector<std::pair<std::string, std::string>> changes{
+      {"\"index\": 1", "\"index\": 0"},
+      {"\"count\": 1", "\"count\": 0"},
+      {"\"index\": 1", "\"index\": 9"},
+      {"\"items\": 1", "\"items\": -1"},
+      {"\"first\": 0", "\"first\": 2"},
+      {"\"last\": 1", "\"last\": 2"},
+      {"\"list\": \"a", "\"list\": \"<"},
+      {"\"files\": 3", "\"files\": 4"},
+      {"\"errors\": 1", "\"errors\": 0"},
+      {"\"passed\": false", "\"passed\": true"},
+      {"\"profile\": \"default\"", "\"profile\": \"\\u001b[31m\""},
+      {"\"profile\": \"default\"", "\"profile\": \"d\\u0065fault\""},
+      {"\"hash\": \"a", "\"hash\": \"\\u001b"},
+      {"\"id\": \"ETK007\"", "\"id\": \"ETK007\\u001b[31m\""},
+      {"\"id\": \"ETK007\"", "\"id\": \"<script>\""},
+      {"\"slug\": \"nan-inf\"", "\"slug\": \"::error\""},
+      {"\"severity\": \"error\"", "\"severity\": \"off\""},
+      {"\"width\": 1024", "\"width\": 2147483647"},
+      {"\"width\": 1024", "\"width\": 1e3"},
+      {"\"role\": \"specular\"", "\"role\": \"owner\""},
+      {"\"sha256\": \"b", "\"sha256\": \"/"},
+      {"\"texels\": 16", "\"texels\": -1"},
+      {"\"texels\": 16", "\"pixels\": 16"},
+      {"\"areaShare\": 0.01", "\"areaShare\": \"much\""},
+      {"\"unreadable\": false", "\"unreadable\": 0"},
+      {"\"place\": 0", "\"place\": 0.5"},
+      {"\"never\": false", "\"never\": null"},
+      {"\"minSeverity\": \"\"", "\"minSeverity\": \"all\""},
+      {"\"notOpened\": []", "\"notOpened\": [1]"},
+      {"\"notOpened\": []", "\"notOpened\": [], \"targets\": [{\"path\": \"../../../etc/passwd\"}]"},
+      {"\"truncated\": false", "\"truncated\": true"}};
+  for (const auto& [from, to] : changes) {
+    const std::string said = error_of([&] { (void)read_again(sealed_again(changed(text, from, to))); });
+    INFO(from << " -> " << to << ": " << said);
+    CHECK(said.starts_with("s.json"));
+    CHECK(!contains(said, "\x1b"));
+    CHECK(!contains(said, "json.exception"));
+  }
+}
+
+TEST_CASE("names in a shard that would act on a terminal or a page are escaped in every merged form") {
+  const std::string name = "\x1b[31m<script>x</script>\n::error file=a::b##[error]\xe2\x80\xae.png";
+  Finding bad = finding("ETK101", name, Severity::error, PixelBox{1, 2, 3, 4});
+  for (std::string* text : {&bad.tile, &bad.material, &bad.pointer, &bad.message, &bad.cause, &bad.fix,
+                            &bad.source, &bad.value, &bad.limit})
+    *text = name;
+  bad.nearest = {{name, name, 1}};
+  CheckedFile file = checked_file(name, {bad});
+  file.companions = {name};
+  ValidationReport shard = one_shard({file});
+  shard.unknown = shard.not_opened = {name};
+  shard.typed = {{name, name}};
+  const ReadShard read = read_again(validation_json(shard, sharded_options));
+  for (const std::string& form : forms_of(merged_report({read}, false), {})) {
+    INFO(form.substr(0, 300));
+    CHECK(!contains(form, "\x1b"));
+    CHECK(!contains(form, "\n::error file=a::b"));
+    CHECK(!contains(form, "\xe2\x80\xae"));
+  }
+  CHECK(!contains(forms_of(merged_report({read}, false), {}).back(), "<script>"));
+}
+
+TEST_CASE("a shard that is cut off, of a whole run or of another version is refused with its name") {
+  ValidationReport report = one_shard({checked_file("a.png")});
+  const std::string text = validation_json(report, sharded_options);
+  CHECK(contains(error_of([&] { (void)read_shard(text, "s.json", "1.2.4"); }),
+                 "s.json: was written by etak 1.2.3; expected all shards of etak 1.2.4"));
+  report.shard = nullptr;
+  CHECK(contains(error_of([&] { (void)read_again(validation_json(report, sharded_options)); }),
+                 "s.json: is not the output of a shard"));
+  for (const char* text_ : {"", "[]", "3", "null", "{}", "{\"tool\": 1, \"shard\": 2}"}) {
+    INFO(text_);
+    CHECK(contains(error_of([&] { (void)read_again(text_); }), "s.json"));
+  }
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  CHECK(contains(error_of([&] { (void)read_again(deep); }), "nesting deeper"));
+}
+
+TEST_CASE("missing, doubled, mixed and overlapping shards are named") {
+  using Items = std::pair<std::size_t, std::size_t>;
+  const auto shard = [](const std::string& file, Shard says, std::size_t groups) {
+    ReadShard out{file, one_shard({})};
+    ReportShard changed_shard = *out.report.shard;
+    changed_shard.shard = says;
+    changed_shard.groups = groups;
+    out.report.shard = std::make_shared<const ReportShard>(changed_shard);
+    return out;
+  };
+  const auto with = [](ReadShard read, const std::function<void(ReportShard&)>& change) {
+    ReportShard other = *read.report.shard;
+    change(other);
+    read.report.shard = std::make_shared<const ReportShard>(other);
+    return read;
+  };
+  const auto why = [](std::vector<ReadShard> shards) {
+    return error_of([&] { (void)merged_report(std::move(shards), false); });
+  };
+  const ReadShard one = shard("a", {1, 2, Items(0, 3)}, 5), two = shard("b", {2, 2, Items(3, 5)}, 5);
+  CHECK(why({one, two}).empty());
+  CHECK(why({two, one}).empty());
+  CHECK(contains(why({two}), "etak merge: missing: shard 1/2"));
+  CHECK(contains(why({one, two, two}), "b: is shard 2/2, as b is; expected each shard once"));
+  CHECK(contains(why({one, shard("x", {2, 5, Items(3, 5)}, 5)}), "x: is shard 2/5"));
+  CHECK(contains(why({one, with(two, [](ReportShard& s) { s.list = "c"; })}),
+                 "b: was cut from another list of inputs than a"));
+  CHECK(contains(why({one, with(two, [](ReportShard& s) { s.options = "c"; })}),
+                 "b: was run with other options than a"));
+  CHECK(contains(why({one, with(two, [](ReportShard& s) { s.allowances.resize(1); })}),
+                 "b: was run with other options than a"));
+  CHECK(contains(why({one, shard("b", {2, 2, Items(3, 6)}, 6)}), "b: was cut from another list"));
+  for (const Items& items : {Items(4, 5), Items(3, 4), Items(2, 5)})
+    CHECK(contains(why({one, shard("b", {2, 2, items}, 5)}), "b: holds other items"));
+  const std::string many = why({shard("a", {1, 1000, Items(0, 5)}, 5)});
+  CHECK(contains(many, "missing: shards 2/1000, 3/1000"));
+  CHECK(contains(many, "and 979 more"));
+}
+
+TEST_CASE("a name that JSON cannot hold is refused in a shard, not changed in silence") {
+  CHECK(contains(error_of([] { validation_json(one_shard({checked_file("a\xff.png")}), sharded_options); }),
+                 "no UTF-8"));
+}
