@@ -69,13 +69,12 @@ int main(int argc, char** argv) {
 
   choose_gl();
   QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("etak"));
-  QApplication::setApplicationName(QStringLiteral("etak-editor"));
+  QApplication::setOrganizationName("etak");
+  QApplication::setApplicationName("etak-editor");
   QApplication::setApplicationVersion(QStringLiteral(ETAK_VERSION));
-  QApplication::setDesktopFileName(QStringLiteral("etak-editor"));
+  QApplication::setDesktopFileName("etak-editor");
   const bool picture = !options.screenshot.isEmpty();
-  const Theme remembered =
-      theme_named(picture ? QString() : QSettings().value(QStringLiteral("theme")).toString());
+  const Theme remembered = theme_named(picture ? QString() : QSettings().value("theme").toString());
   apply_theme(application, options.theme.value_or(remembered));
 
   // The user chose the pictures of a project in this editor, so links to other folders are followed.

@@ -13,7 +13,7 @@ const QStringList& screenshot_states() {
           "default reflectance fresnel lobe shader textures light view compare "
           "wedge quad zone energy angles gamut library preview findings pack keys problem empty "
           "glass water rim overcast sunset night backdrop ground exposure")
-          .split(QLatin1Char(' '));
+          .split(' ');
   return states;
 }
 
@@ -45,7 +45,7 @@ QString help_text() {
              "\n"
              "example:\n"
              "  QT_QPA_PLATFORM=offscreen etak-editor --screenshot gold.png gold --model ggx-f82\n")
-      .arg(screenshot_states().join(QStringLiteral(", ")));
+      .arg(screenshot_states().join(", "));
 }
 
 Options parse_options(const QStringList& arguments) {
@@ -53,8 +53,7 @@ Options parse_options(const QStringList& arguments) {
   for (int i = 1; i < arguments.size(); ++i) {
     QString name = arguments[i], value;
     bool has_value = false;
-    if (const qsizetype equals = name.indexOf(QLatin1Char('='));
-        name.startsWith(QLatin1String("--")) && equals > 0) {
+    if (const qsizetype equals = name.indexOf('='); name.startsWith("--") && equals > 0) {
       value = name.mid(equals + 1);
       name = name.left(equals);
       has_value = true;
@@ -64,45 +63,44 @@ Options parse_options(const QStringList& arguments) {
       if (value.isEmpty()) out.error = QObject::tr("%1 needs a value").arg(name);
       return value;
     };
-    if (name == QLatin1String("--help") || name == QLatin1String("-h"))
+    if (name == "--help" || name == "-h")
       out.help = true;
-    else if (name == QLatin1String("--version"))
+    else if (name == "--version")
       out.version = true;
-    else if (name == QLatin1String("--cpu"))
+    else if (name == "--cpu")
       out.cpu = true;
-    else if (name == QLatin1String("--time-start"))
+    else if (name == "--time-start")
       out.time_start = true;
-    else if (name == QLatin1String("--screenshot"))
+    else if (name == "--screenshot")
       out.screenshot = take();
-    else if (name == QLatin1String("--model"))
+    else if (name == "--model")
       out.model = take();
-    else if (name == QLatin1String("--state"))
+    else if (name == "--state")
       out.state = take();
-    else if (name == QLatin1String("--theme")) {
+    else if (name == "--theme") {
       const QString theme = take();
-      if (theme != QLatin1String("dark") && theme != QLatin1String("light"))
+      if (theme != "dark" && theme != "light")
         out.error = QObject::tr("--theme: %1; expected dark or light").arg(theme);
       out.theme = theme_named(theme);
-    } else if (name == QLatin1String("--size")) {
-      const QStringList sides = take().split(QLatin1Char('x'));
+    } else if (name == "--size") {
+      const QStringList sides = take().split('x');
       out.size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
       if (out.size.width() < 320 || out.size.height() < 240 || out.size.width() > 8192 ||
           out.size.height() > 8192)
         out.error = QObject::tr("--size: %1; expected WxH of 320x240 to 8192x8192").arg(value);
-    } else if (name == QLatin1String("--input-timeout")) {
+    } else if (name == "--input-timeout") {
       bool well = false;
       out.input_timeout = take().toDouble(&well);
       if (!well || !(*out.input_timeout >= 0 && *out.input_timeout <= 1e6))
         out.error = QObject::tr("--input-timeout: %1; expected seconds, 0 to 1e6").arg(value);
-    } else if (name.startsWith(QLatin1Char('-')) && name.size() > 1) {
+    } else if (name.startsWith('-') && name.size() > 1) {
       out.error = QObject::tr("%1 is no option; see --help").arg(name);
     } else {
       out.subjects << arguments[i];
     }
   }
   if (!out.state.isEmpty() && !screenshot_states().contains(out.state))
-    out.error = QObject::tr("--state: %1; expected one of %2")
-                    .arg(out.state, screenshot_states().join(QStringLiteral(", ")));
+    out.error = QObject::tr("--state: %1; expected one of %2").arg(out.state, screenshot_states().join(", "));
   if (!out.model.isEmpty()) {
     const Model* model = find_model(out.model.toStdString());
     if (model == nullptr || model->kind == ModelKind::diffuse)

@@ -57,16 +57,11 @@ void settle(Window& window) {
 }
 
 void edit_material(Window& window, const std::function<void(ProjectMaterial&)>& change) {
-  if (window.document().material() == nullptr) return;
-  ProjectMaterial m = *window.document().material();
-  change(m);
-  window.document().edit(window.document().current(), m, QObject::tr("edit"), next_press_id());
+  window.document().change_material(QObject::tr("edit"), next_press_id(), change);
 }
 
 void edit_view(Window& window, const std::function<void(ProjectView&)>& change) {
-  ProjectView view = window.document().project().view;
-  change(view);
-  window.document().edit_view(view, QObject::tr("view"), next_press_id());
+  window.document().change_view(QObject::tr("view"), next_press_id(), change);
 }
 
 // A folder for files that a state needs; it is removed when the program ends.
@@ -92,11 +87,10 @@ QString tiles(const QString& name, const std::function<QColor(int)>& tile, const
 
 void put_tiles_on(Window& window) {
   const QString colors = tiles(
-      QStringLiteral("tiles_diffuse.png"),
-      [](int i) { return i * 7 % 3 == 0 ? QColor(170, 74, 52) : QColor(186, 142, 96); },
+      "tiles_diffuse.png", [](int i) { return i * 7 % 3 == 0 ? QColor(170, 74, 52) : QColor(186, 142, 96); },
       QColor(140, 136, 130));
   const QString gloss = tiles(
-      QStringLiteral("tiles_gloss.png"), [](int i) { return QColor(Qt::white).darker(110 + i * 5 % 7 * 12); },
+      "tiles_gloss.png", [](int i) { return QColor(Qt::white).darker(110 + i * 5 % 7 * 12); },
       QColor(60, 60, 60));
   window.inspector().textures().take_files({colors, gloss}, Channel::diffuse);
 }
@@ -120,8 +114,8 @@ void show_light_state(Window& window, const QString& state) {
     edit_view(window, [&](ProjectView& view) { choose_environment(view.lights, name); });
     window.inspector_tabs().setCurrentIndex(1);
   }
-  if (is("glass")) window.use_library_material(QStringLiteral("fused_silica"));
-  if (is("water")) window.use_library_material(QStringLiteral("water"));
+  if (is("glass")) window.use_library_material("fused_silica");
+  if (is("water")) window.use_library_material("water");
   const bool behind = is("glass") || is("backdrop"), ground = is("water") || is("ground") || is("backdrop");
   if (!behind && !ground && !is("exposure")) return;
   edit_view(window, [&](ProjectView& view) {
@@ -140,62 +134,61 @@ void show_state(Window& window, const QString& state) {
     window.curves().findChild<QTabWidget*>()->setCurrentIndex(tab);
   };
   const std::map<QString, std::function<void()>> states{
-      {QStringLiteral("reflectance"), [&] { curve(1); }},
-      {QStringLiteral("fresnel"), [&] { curve(2); }},
-      {QStringLiteral("lobe"), [&] { curve(3); }},
-      {QStringLiteral("shader"),
-       [&] { window.tabs().setCurrentWidget(window.tabs().findChild<QPlainTextEdit*>()); }},
-      {QStringLiteral("textures"),
+      {"reflectance", [&] { curve(1); }},
+      {"fresnel", [&] { curve(2); }},
+      {"lobe", [&] { curve(3); }},
+      {"shader", [&] { window.tabs().setCurrentWidget(window.tabs().findChild<QPlainTextEdit*>()); }},
+      {"textures",
        [&] {
          if (const ProjectMaterial* m = window.document().material(); m == nullptr || !has_textures(*m)) {
-           window.use_library_material(QStringLiteral("chalk"));
+           window.use_library_material("chalk");
            put_tiles_on(window);
          }
          window.tabs().setCurrentWidget(&window.texture_view());
        }},
-      {QStringLiteral("light"), [&] { window.inspector_tabs().setCurrentIndex(1); }},
-      {QStringLiteral("view"), [&] { window.inspector_tabs().setCurrentIndex(2); }},
-      {QStringLiteral("compare"),
+      {"light", [&] { window.inspector_tabs().setCurrentIndex(1); }},
+      {"view", [&] { window.inspector_tabs().setCurrentIndex(2); }},
+      {"compare",
        [&] {
          emit window.view_panel().pin_asked();
-         window.use_library_material(QStringLiteral("copper"));
+         window.use_library_material("copper");
          window.inspector_tabs().setCurrentIndex(2);
        }},
-      {QStringLiteral("wedge"),
+      {"wedge",
        [&] {
          edit_view(window, [](ProjectView& view) { view.wedge.on = true; });
          window.inspector_tabs().setCurrentIndex(2);
        }},
-      {QStringLiteral("quad"), [&] { edit_view(window, [](ProjectView& v) { v.shape = Shape::quad; }); }},
-      {QStringLiteral("zone"),
+      {"quad", [&] { edit_view(window, [](ProjectView& v) { v.shape = Shape::quad; }); }},
+      {"zone",
        [&] {
          window.look().zone_overlay = true;
-         window.use_library_material(QStringLiteral("silicon"));
+         window.use_library_material("silicon");
        }},
-      {QStringLiteral("energy"), [&] { window.look().energy_overlay = true; }},
-      {QStringLiteral("angles"), [&] { window.look().angle_overlay = true; }},
-      {QStringLiteral("gamut"),
+      {"energy", [&] { window.look().energy_overlay = true; }},
+      {"angles", [&] { window.look().angle_overlay = true; }},
+      {"gamut",
        [&] {
          edit_material(window, [](ProjectMaterial& m) {
            m.measured.reset();
            m.specular = {1.2, 0.7, -0.05};
          });
        }},
-      {QStringLiteral("library"),
+      {"library",
        [&] {
          for (QAbstractButton* chip : window.library_panel().findChildren<QAbstractButton*>())
-           if (chip->text() == QLatin1String("gem")) chip->click();
+           if (chip->text() == "gem") chip->click();
        }},
-      {QStringLiteral("preview"), [&] { emit window.library_panel().looked_at(QStringLiteral("copper")); }},
-      {QStringLiteral("findings"), [&] { show_findings(window); }},
-      {QStringLiteral("pack"),
+      {"preview", [&] { emit window.library_panel().looked_at("copper"); }},
+      {"findings", [&] { show_findings(window); }},
+      {"pack",
        [&] {
-         window.use_library_material(QStringLiteral("copper"));
-         window.use_library_material(QStringLiteral("pmma"));
+         window.use_library_material("copper");
+         window.use_library_material("pmma");
          window.pack_to(own_files().filePath(QStringLiteral("atlas-%1").arg(next_press_id())));
        }},
-      {QStringLiteral("keys"), [&] { (new ShortcutsDialog(window, &window))->show(); }},
-      {QStringLiteral("problem"), [&] { window.open(QStringLiteral("a project that is gone.json")); }},
+      {"keys", [&] { (new ShortcutsDialog(window, &window))->show(); }},
+      {"problem", [&] { window.open("a project that is gone.json"); }},
   };
   if (const auto found = states.find(state); found != states.end()) found->second();
   show_light_state(window, state);

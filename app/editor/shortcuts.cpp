@@ -18,9 +18,8 @@ QString title_of(const QAction& action) {
   QString out = action.text();
   for (const QObject* each : action.associatedObjects())
     if (const auto* menu = qobject_cast<const QMenu*>(each))
-      if (qobject_cast<const QMenu*>(menu->parent()) != nullptr)
-        out = menu->title() + QStringLiteral(": ") + out;
-  return out.remove(QLatin1Char('&'));
+      if (qobject_cast<const QMenu*>(menu->parent()) != nullptr) out = menu->title() + ": " + out;
+  return out.remove('&');
 }
 
 }  // namespace

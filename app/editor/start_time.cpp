@@ -20,7 +20,7 @@ double ms_of(clockid_t clock) {
 SinceStart since_start() {
   SinceStart out;
   out.work_ms = ms_of(CLOCK_PROCESS_CPUTIME_ID);
-  QFile file(QStringLiteral("/proc/self/stat"));
+  QFile file("/proc/self/stat");
   if (!file.open(QIODevice::ReadOnly)) return out;
   // The name of the program in brackets may hold any character. The start time is the twentieth field behind
   // it, in ticks since boot.

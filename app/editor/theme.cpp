@@ -14,7 +14,7 @@ namespace {
 // seen on a dark window.
 class OutlinedBoxes : public QProxyStyle {
  public:
-  OutlinedBoxes() : QProxyStyle(QStringLiteral("Fusion")) {}
+  OutlinedBoxes() : QProxyStyle("Fusion") {}
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
@@ -64,7 +64,7 @@ void apply_theme(QApplication& application, Theme theme) {
   QApplication::setStyle(new OutlinedBoxes);
   QApplication::setPalette(palette_of(theme));
   // No role of the palette has enough contrast to the window in both themes.
-  const QString border = theme == Theme::dark ? QStringLiteral("#707070") : QStringLiteral("#a8a8a8");
+  const QString border = theme == Theme::dark ? "#707070" : "#a8a8a8";
   application.setStyleSheet(
       QStringLiteral(
           "QToolTip { border: 1px solid palette(mid); padding: 3px; }"
@@ -83,11 +83,11 @@ bool is_dark(const QPalette& palette) {
 }
 
 QString name(Theme theme) {
-  return theme == Theme::dark ? QStringLiteral("dark") : QStringLiteral("light");
+  return theme == Theme::dark ? "dark" : "light";
 }
 
 Theme theme_named(const QString& name) {
-  return name == QLatin1String("light") ? Theme::light : Theme::dark;
+  return name == "light" ? Theme::light : Theme::dark;
 }
 
 }  // namespace etak::editor

@@ -33,7 +33,7 @@
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"
 #include "app/editor/window_icon.h"
-#include "core/base/error.h"
+#include "app/viewport/background.h"
 
 namespace etak::editor {
 namespace {
@@ -70,18 +70,15 @@ Window::Window(const WindowOptions& options, QWidget* parent)
       options_(options),
       document_(builtin_library()),
       thumbnails_(std::make_unique<Thumbnails>(
-          (options.cache_folder.isEmpty() ? cache_folder() : options.cache_folder) +
-          QStringLiteral("/thumbnails"))),
+          (options.cache_folder.isEmpty() ? cache_folder() : options.cache_folder) + "/thumbnails")),
       validator_(new Validator(document_, this)),
       autosave_(new Autosave(document_, options.data_folder.isEmpty() ? data_folder() : options.data_folder,
                              this)) {
   show_texts_plain();
-  setObjectName(QStringLiteral("etak-editor"));
+  setObjectName("etak-editor");
   setAccessibleName(tr("etak editor"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-  io_.setMaxThreadCount(1);  // files are read and written one after the other
-  heavy_.setMaxThreadCount(1);
   make_panels();
   make_menus();
   connect_viewport();
@@ -101,9 +98,7 @@ Window::~Window() {
   qApp->removeEventFilter(this);
   // A field that loses the focus takes its typed text as a value: that must happen while the document exists.
   if (QWidget* at = focusWidget()) at->clearFocus();
-  io_.waitForDone();
-  heavy_.clear();
-  heavy_.waitForDone();
+  io_.waitForDone();  // what is to be saved is
 }
 
 void Window::make_panels() {
@@ -123,7 +118,7 @@ void Window::make_panels() {
   tabs_->addTab(texture_view_, tr("Textures"));
   auto* middle = new QSplitter(Qt::Vertical, this);
   middle->setAccessibleName(tr("Viewport and tabs"));
-  middle->setObjectName(QStringLiteral("middle"));
+  middle->setObjectName("middle");
   middle->addWidget(viewport_);
   middle->addWidget(tabs_);
   middle->setStretchFactor(0, 3);
@@ -229,14 +224,12 @@ void Window::connect_panels() {
 bool Window::use_library_material(const QString& name) {
   const auto record = document_.library()->find(name.toStdString());
   if (!record) return false;
-  try {
+  const QString failure = failure_of([&] {
     document_.add({with_measured(material_of(*record), *document_.library())}, {},
                   tr("add %1").arg(QString::fromStdString(record->name)));
-    return true;
-  } catch (const Error& error) {
-    tell(QString::fromUtf8(error.what()));
-    return false;
-  }
+  });
+  if (!failure.isEmpty()) tell(failure);
+  return failure.isEmpty();
 }
 
 void Window::go_to_finding(const QString& material, const QString& rule) {
@@ -245,7 +238,7 @@ void Window::go_to_finding(const QString& material, const QString& rule) {
   for (std::size_t i = 0; i < list.size(); ++i)
     if (list[i].name == material.toStdString()) document_.set_current(static_cast<int>(i));
   // The panel may be closed, or behind another one.
-  auto* dock = findChild<QDockWidget*>(QStringLiteral("inspector"));
+  auto* dock = findChild<QDockWidget*>("inspector");
   dock->show();
   dock->raise();
   inspector_tabs_->setCurrentWidget(inspector_);
@@ -279,19 +272,18 @@ bool Window::eventFilter(QObject* object, QEvent* event) {
 void Window::restore() {
   if (!options_.remember) return;
   const QSettings settings;
-  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
-  auto* middle = findChild<QSplitter*>(QStringLiteral("middle"));
-  middle->restoreState(settings.value(QStringLiteral("window/middle")).toByteArray());
+  restoreGeometry(settings.value("window/geometry").toByteArray());
+  restoreState(settings.value("window/state").toByteArray());
+  auto* middle = findChild<QSplitter*>("middle");
+  middle->restoreState(settings.value("window/middle").toByteArray());
 }
 
 void Window::remember() {
   if (!options_.remember) return;
   QSettings settings;
-  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("window/state"), saveState());
-  settings.setValue(QStringLiteral("window/middle"),
-                    findChild<QSplitter*>(QStringLiteral("middle"))->saveState());
+  settings.setValue("window/geometry", saveGeometry());
+  settings.setValue("window/state", saveState());
+  settings.setValue("window/middle", findChild<QSplitter*>("middle")->saveState());
 }
 
 void Window::closeEvent(QCloseEvent* event) {
@@ -307,7 +299,7 @@ void Window::update_title() {
 
 void Window::tell(const QString& message) {
   constexpr int shown_ms = 8000;
-  statusBar()->showMessage(message.section(QLatin1Char('\n'), 0, 0), shown_ms);
+  statusBar()->showMessage(message.section('\n', 0, 0), shown_ms);
 }
 
 }  // namespace etak::editor

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QMainWindow>
-#include <QThreadPool>
 #include <QTimer>
 #include <functional>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "app/editor/document/look.h"
 #include "app/editor/document/thumbnails.h"
 #include "app/editor/document/validator.h"
+#include "app/viewport/background.h"
 #include "app/viewport/viewport.h"
 
 class QLabel;
@@ -120,6 +120,7 @@ class Window : public QMainWindow {
 
   QAction* action(QMenu* menu, const QString& text, const QKeySequence& keys,
                   const std::function<void()>& act);
+  QMenu* submenu(QMenu* menu, const QString& title);
   void fill_copy_menu(QMenu* menu);
   void copy_value(const EngineTarget& target);
   enum class ExportOf { one, selected, all };
@@ -141,12 +142,25 @@ class Window : public QMainWindow {
   void take_spectra(const QStringList& files);
   void ask_open_or_add(const QString& project);
   void recover(const Recovery& recovery);
-  void note_recent(const QString& path);
-  void forget_recent(const QString& path);
+  /// Puts a file first in the list of recent files, or takes it out.
+  void change_recent(const QString& path, bool keep);
   void fill_recent(QMenu* menu);
   void tell(const QString& message);
   void show_problems(const QString& title, const QStringList& problems);
   void update_title();
+  /// Does `work` on the thread that reads and writes files, then `done` with what it returns. The window is busy
+  /// until then.
+  template <class Work, class Done>
+  void read_or_write(Work work, Done done) {
+    ++busy_;
+    in_background(io_, this, std::move(work), [this, done = std::move(done)](auto result) mutable {
+      --busy_;
+      done(std::move(result));
+    });
+  }
+  /// Writes a file by `write`, which returns the message of an error, and tells the end.
+  ///   failed   title of the message where it could not be written
+  void write_in_background(const QString& file, const QString& failed, const std::function<QString()>& write);
   QString beside_project(const QString& file = {}) const;
   void choose_and_open();
   void save();
@@ -174,7 +188,8 @@ class Window : public QMainWindow {
   Validator* validator_;
   Autosave* autosave_;
   Look look_;
-  QThreadPool io_, heavy_;
+  Worker io_;  // files are read and written one after the other
+  Worker heavy_;
   int busy_ = 0;
   bool seen_frame_ = false, patch_compares_ = false;
 

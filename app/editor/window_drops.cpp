@@ -63,16 +63,13 @@ void Window::take_files(const QStringList& paths) {
 
 void Window::take_spectra(const QStringList& files) {
   if (files.size() > 1) return import(files);
-  ++busy_;
-  in_background(
-      io_, this, [file = files.front()] { return holds_project(file); },
-      [this, files](bool project) {
-        --busy_;
-        if (project)
-          ask_open_or_add(files.front());
-        else
-          import(files);
-      });
+  read_or_write([file = files.front()] { return holds_project(file); },
+                [this, files](bool project) {
+                  if (project)
+                    ask_open_or_add(files.front());
+                  else
+                    import(files);
+                });
 }
 
 void Window::ask_open_or_add(const QString& project) {

@@ -25,7 +25,7 @@ void refuse_textures(const ProjectMaterial& m) {
   if (channels.isEmpty()) return;
   throw Error(QObject::tr("%1 has textures (%2), which numbers to be copied cannot hold: export it as "
                           "MaterialX or glTF, or pack the atlas")
-                  .arg(qt_text(m.name), channels.join(QStringLiteral(", ")))
+                  .arg(qt_text(m.name), channels.join(", "))
                   .toStdString());
 }
 
@@ -36,25 +36,20 @@ struct Written {
 Written export_file(const std::vector<ProjectMaterial>& materials, const MaterialLibrary& library,
                     ExportForm form, const QString& path) {
   Written out;
-  try {
+  const auto work = [&] {
     const std::vector<Changes> changes =
         export_materials(materials, library, form, Fit::clamp, picture_door(), path.toStdString());
     for (std::size_t i = 0; i < changes.size(); ++i)
       for (const Change& change : changes[i])
-        out.remarks += (changes.size() > 1 ? qt_text(materials[i].name) + QStringLiteral(": ") : QString()) +
-                       qt_text(one_line(change)) + QLatin1Char('\n');
-  } catch (const Error& error) {
-    out.error = QString::fromUtf8(error.what());
-  } catch (const std::bad_alloc&) {
-    out.error = QObject::tr("There is not enough memory for the textures");
-  }
+        out.remarks += (changes.size() > 1 ? qt_text(materials[i].name) + ": " : QString()) +
+                       qt_text(one_line(change)) + '\n';
+  };
+  out.error = failure_of(work, QObject::tr("There is not enough memory for the textures"));
   return out;
 }
 
 QString ending_of(ExportForm form) {
-  return form == ExportForm::material_x ? QStringLiteral("mtlx")
-         : form == ExportForm::gltf     ? QStringLiteral("gltf")
-                                        : QStringLiteral("glb");
+  return form == ExportForm::material_x ? "mtlx" : form == ExportForm::gltf ? "gltf" : "glb";
 }
 
 }  // namespace
@@ -81,42 +76,35 @@ void Window::export_to(ExportForm form, ExportOf which) {
   const QString ending = ending_of(form);
   const QString file = name_to_save(
       materials.size() == 1 ? tr("Export the material") : tr("Export %1 materials").arg(materials.size()),
-      beside_project(whose + QLatin1Char('.') + ending), QStringLiteral("*.") + ending, ending);
+      beside_project(whose + '.' + ending), "*." + ending, ending);
   if (file.isEmpty()) return;
-  ++busy_;
   tell(tr("Exporting %1").arg(short_path(file)));
-  in_background(
-      io_, this,
-      [materials, library = document_.library(), form, file] {
-        return export_file(materials, *library, form, file);
-      },
-      [this, file](const Written& written) {
-        --busy_;
-        if (!written.error.isEmpty())
-          show_problems(tr("Nothing was exported"), {written.error});
-        else if (!written.remarks.isEmpty())
-          show_problems(tr("Exported %1; the target cannot hold everything").arg(file),
-                        written.remarks.split(QLatin1Char('\n'), Qt::SkipEmptyParts));
-        else
-          tell(tr("Exported %1").arg(short_path(file)));
-      });
+  read_or_write([materials, library = document_.library(), form,
+                 file] { return export_file(materials, *library, form, file); },
+                [this, file](const Written& written) {
+                  if (!written.error.isEmpty())
+                    show_problems(tr("Nothing was exported"), {written.error});
+                  else if (!written.remarks.isEmpty())
+                    show_problems(tr("Exported %1; the target cannot hold everything").arg(file),
+                                  written.remarks.split('\n', Qt::SkipEmptyParts));
+                  else
+                    tell(tr("Exported %1").arg(short_path(file)));
+                });
 }
 
 void Window::copy_value(const EngineTarget& target) {
   const ProjectMaterial* m = look_.preview ? &*look_.preview : document_.material();
   if (m == nullptr) return;
-  try {
+  QString message;
+  const QString failure = failure_of([&] {
     refuse_textures(*m);
     const EngineValues values = engine_values(target, export_surface(*m, *document_.library()));
     const QString copied = QString::fromStdString(copy_text(values));
     QApplication::clipboard()->setText(copied);
-    QString message =
-        tr("Copied for %1: %2").arg(qt_text(target.title), copied.section(QLatin1Char('\n'), 0, 0));
-    for (const Change& change : values.changes) message += QStringLiteral("; ") + qt_text(one_line(change));
-    tell(message);
-  } catch (const Error& error) {
-    tell(QString::fromUtf8(error.what()));
-  }
+    message = tr("Copied for %1: %2").arg(qt_text(target.title), copied.section('\n', 0, 0));
+    for (const Change& change : values.changes) message += "; " + qt_text(one_line(change));
+  });
+  tell(failure.isEmpty() ? message : failure);
 }
 
 void Window::fill_copy_menu(QMenu* menu) {

@@ -34,23 +34,20 @@ void Window::choose_and_open() {
 }
 
 void Window::open(const QString& path) {
-  ++busy_;
   tell(tr("Opening %1").arg(short_path(path)));
   struct Read {
     Opened project;
     bool is_there = false;  // found out by the worker, because a network share may be slow to answer
   };
-  in_background(
-      io_, this,
+  read_or_write(
       [path] {
         Opened project = open_project(path, MaterialLibrary::builtin());
         return Read{std::move(project), QFileInfo::exists(path)};
       },
       [this, path, revision = document_.revision()](Read read) {
-        --busy_;
         Opened& opened_project = read.project;
         if (!opened_project.error.isEmpty()) {
-          if (!read.is_there) forget_recent(path);
+          if (!read.is_there) change_recent(path, false);
           show_problems(tr("This could not be opened"), {opened_project.error});
           emit opened(false);
           return;
@@ -64,7 +61,7 @@ void Window::open(const QString& path) {
         // A project that was read from a pipe has no file yet.
         const bool pipe = is_pipe(path);
         document_.replace(std::move(opened_project.project), pipe ? QString() : path, !pipe);
-        if (!pipe) note_recent(path);
+        if (!pipe) change_recent(path, true);
         tell(tr("%1 materials").arg(document_.project().materials.size()));
         if (!opened_project.problems.isEmpty())
           show_problems(tr("Some measured records were not found; their colours are kept as numbers"),
@@ -81,25 +78,24 @@ void Window::choose_and_import() {
 }
 
 void Window::import(const QStringList& paths) {
-  ++busy_;
-  in_background(
-      io_, this, [paths, library = document_.library()] { return import_files(paths, *library); },
-      [this](Opened imported) {
-        --busy_;
-        if (!imported.problems.isEmpty()) show_problems(tr("Not all could be imported"), imported.problems);
-        if (!imported.project.materials.empty()) {
-          const auto count = imported.project.materials.size();
-          document_.add(std::move(imported.project.materials), imported.project.spectra, tr("import"));
-          tell(tr("%1 imported").arg(count));
-        }
-        emit opened(imported.error.isEmpty());
-      });
+  read_or_write([paths, library = document_.library()] { return import_files(paths, *library); },
+                [this](Opened imported) {
+                  if (!imported.problems.isEmpty())
+                    show_problems(tr("Not all could be imported"), imported.problems);
+                  if (!imported.project.materials.empty()) {
+                    const auto count = imported.project.materials.size();
+                    document_.add(std::move(imported.project.materials), imported.project.spectra,
+                                  tr("import"));
+                    tell(tr("%1 imported").arg(count));
+                  }
+                  emit opened(imported.error.isEmpty());
+                });
 }
 
 // ---- saving
 
 QString Window::beside_project(const QString& file) const {
-  return document_.path().isEmpty() ? file : document_.folder() + QLatin1Char('/') + file;
+  return document_.path().isEmpty() ? file : document_.folder() + '/' + file;
 }
 
 void Window::save() {
@@ -120,9 +116,9 @@ QString Window::name_to_save(const QString& title, const QString& proposed, cons
 }
 
 bool Window::save_as() {
-  const QString file = name_to_save(
-      tr("Save the project"), document_.path().isEmpty() ? QStringLiteral("project.json") : document_.path(),
-      project_filter(), QStringLiteral("json"));
+  const QString file =
+      name_to_save(tr("Save the project"), document_.path().isEmpty() ? "project.json" : document_.path(),
+                   project_filter(), "json");
   if (file.isEmpty()) return false;
   save_to(file);
   return true;
@@ -132,16 +128,13 @@ void Window::save_to(const QString& path) {
   take_typed();
   // The copy of the autosave holds this state if the writing of the file fails.
   autosave_->write_now();
-  ++busy_;
-  in_background(
-      io_, this,
+  read_or_write(
       [path, project = document_.project(), autosave = autosave_] {
         autosave->wait();
         return save_project(project, path);
       },
       [this, path, revision = document_.revision(),
        generation = document_.generation()](const QString& error) {
-        --busy_;
         if (!error.isEmpty()) {
           show_problems(tr("The project was not saved; your changes are still here"), {error});
           emit saved(false);
@@ -153,7 +146,7 @@ void Window::save_to(const QString& path) {
           document_.mark_saved(path);
         else if (generation == document_.generation())
           document_.set_path(path);
-        note_recent(path);
+        change_recent(path, true);
         tell(tr("Saved %1").arg(short_path(path)));
         emit saved(true);
       });
@@ -161,37 +154,33 @@ void Window::save_to(const QString& path) {
 
 void Window::save_material_as() {
   if (document_.material() == nullptr) return;
-  const QString file =
-      name_to_save(tr("Save the material"),
-                   beside_project(QString::fromStdString(document_.material()->name).replace(u'/', u'_') +
-                                  QStringLiteral(".json")),
-                   project_filter(), QStringLiteral("json"));
+  const QString file = name_to_save(
+      tr("Save the material"),
+      beside_project(QString::fromStdString(document_.material()->name).replace(u'/', u'_') + ".json"),
+      project_filter(), "json");
   if (file.isEmpty()) return;
-  in_background(
-      io_, this,
-      [file, project = single(document_.project(), *document_.material())] {
-        return save_project(project, file);
-      },
-      [this, file](const QString& error) {
-        if (error.isEmpty())
-          tell(tr("Saved %1").arg(short_path(file)));
-        else
-          show_problems(tr("The material was not saved"), {error});
-      });
+  write_in_background(file, tr("The material was not saved"),
+                      [file, project = single(document_.project(), *document_.material())] {
+                        return save_project(project, file);
+                      });
 }
 
 void Window::save_picture() {
-  const QString file = name_to_save(tr("Save the picture"), beside_project(QStringLiteral("picture.png")),
-                                    tr("PNG (*.png)"), QStringLiteral("png"));
+  const QString file =
+      name_to_save(tr("Save the picture"), beside_project("picture.png"), tr("PNG (*.png)"), "png");
   if (file.isEmpty()) return;
-  in_background(
-      io_, this, [file, picture = viewport_->grab_picture(true)] { return save_png(picture, file); },
-      [this, file](const QString& error) {
-        if (error.isEmpty())
-          tell(tr("Saved %1").arg(short_path(file)));
-        else
-          show_problems(tr("The picture was not saved"), {error});
-      });
+  write_in_background(file, tr("The picture was not saved"),
+                      [file, picture = viewport_->grab_picture(true)] { return save_png(picture, file); });
+}
+
+void Window::write_in_background(const QString& file, const QString& failed,
+                                 const std::function<QString()>& write) {
+  read_or_write(write, [this, file, failed](const QString& error) {
+    if (error.isEmpty())
+      tell(tr("Saved %1").arg(short_path(file)));
+    else
+      show_problems(failed, {error});
+  });
 }
 
 void Window::choose_and_pack() {
@@ -208,22 +197,14 @@ PackDialog* Window::pack_to(const QString& folder) {
   return dialog;
 }
 
-void Window::note_recent(const QString& path) {
+void Window::change_recent(const QString& path, bool keep) {
   if (!options_.remember) return;
   QSettings settings;
   QStringList list = settings.value(QLatin1String(recent_key)).toStringList();
   const QString whole = QFileInfo(path).absoluteFilePath();
   list.removeAll(whole);
-  list.prepend(whole);
+  if (keep) list.prepend(whole);
   settings.setValue(QLatin1String(recent_key), list.mid(0, most_recent));
-}
-
-void Window::forget_recent(const QString& path) {
-  if (!options_.remember) return;
-  QSettings settings;
-  QStringList list = settings.value(QLatin1String(recent_key)).toStringList();
-  list.removeAll(QFileInfo(path).absoluteFilePath());
-  settings.setValue(QLatin1String(recent_key), list);
 }
 
 void Window::fill_recent(QMenu* menu) {
@@ -232,7 +213,7 @@ void Window::fill_recent(QMenu* menu) {
   menu->setToolTipsVisible(true);
   for (const QString& each : list) {
     // In the text of a menu, '&' marks a key and "&&" is the character.
-    QAction* out = menu->addAction(short_path(each).replace(u'&', QStringLiteral("&&")), this, [this, each] {
+    QAction* out = menu->addAction(short_path(each).replace(u'&', "&&"), this, [this, each] {
       if (may_lose_changes()) open(each);
     });
     out->setToolTip(each);
@@ -242,10 +223,10 @@ void Window::fill_recent(QMenu* menu) {
 
 void Window::show_problems(const QString& title, const QStringList& problems) {
   constexpr int most_shown = 6;
-  QString text = QStringList(problems.mid(0, most_shown)).join(QLatin1Char('\n'));
+  QString text = QStringList(problems.mid(0, most_shown)).join('\n');
   if (problems.size() > most_shown) text += tr("\nand %1 more").arg(problems.size() - most_shown);
-  auto* box = new QMessageBox(QMessageBox::Warning, windowTitle().remove(QStringLiteral("[*]")), title,
-                              QMessageBox::Ok, this);
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, windowTitle().remove("[*]"), title, QMessageBox::Ok, this);
   box->setInformativeText(text);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();

@@ -29,6 +29,12 @@ QAction* Window::action(QMenu* menu, const QString& title, const QKeySequence& k
   return out;
 }
 
+QMenu* Window::submenu(QMenu* menu, const QString& title) {
+  QMenu* out = menu->addMenu(title);
+  out->setAccessibleName(QString(title).remove('&'));
+  return out;
+}
+
 void Window::make_menus() {
   menuBar()->setAccessibleName(tr("Menus"));
   make_file_menu();
@@ -71,15 +77,9 @@ void Window::make_file_menu() {
          [this] { choose_and_pack(); });
   action(menu, tr("Check all a&gain"), QKeySequence(Qt::CTRL | Qt::Key_R),
          [this] { validator_->check_all(); });
-  QMenu* exports = menu->addMenu(tr("&Export material"));
-  exports->setAccessibleName(tr("Export material"));
-  fill_export_menu(exports, ExportOf::one);
-  QMenu* marked = menu->addMenu(tr("Export s&elected materials"));
-  marked->setAccessibleName(tr("Export selected materials"));
-  fill_export_menu(marked, ExportOf::selected);
-  QMenu* all = menu->addMenu(tr("Export a&ll materials"));
-  all->setAccessibleName(tr("Export all materials"));
-  fill_export_menu(all, ExportOf::all);
+  fill_export_menu(submenu(menu, tr("&Export material")), ExportOf::one);
+  fill_export_menu(submenu(menu, tr("Export s&elected materials")), ExportOf::selected);
+  fill_export_menu(submenu(menu, tr("Export a&ll materials")), ExportOf::all);
   menu->addSeparator();
   action(menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
@@ -103,9 +103,7 @@ void Window::make_edit_menu() {
   remove->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   project_panel_->addAction(remove);
   menu->addSeparator();
-  QMenu* copy = menu->addMenu(tr("&Copy value as"));
-  copy->setAccessibleName(tr("Copy value as"));
-  fill_copy_menu(copy);
+  fill_copy_menu(submenu(menu, tr("&Copy value as")));
   menu->addSeparator();
   action(menu, tr("&Find in the library"), QKeySequence::Find, [this] {
     library_panel_->search().setFocus();
@@ -122,27 +120,22 @@ void Window::make_view_menu() {
       action(menu, tr("E&nd the preview"), QKeySequence(Qt::Key_Escape), [this] { end_preview(); });
   end_preview_->setEnabled(false);
   action(menu, tr("&Compare A and B"), QKeySequence(Qt::CTRL | Qt::Key_T), [this] {
-    Comparison compare = document_.project().view.compare;
-    compare.on = !compare.on;
-    document_.edit_compare(compare, tr("compare"));
+    document_.change_view(tr("compare"), next_press_id(),
+                          [](ProjectView& view) { view.compare.on = !view.compare.on; });
   });
   action(menu, tr("&Pin as B"), QKeySequence(Qt::CTRL | Qt::Key_B),
          [this] { emit view_panel_->pin_asked(); });
-  action(menu, tr("Forbidden &zone overlay"), QKeySequence(Qt::CTRL | Qt::Key_1), [this] {
-    look_.zone_overlay = !look_.zone_overlay;
-    look_changed();
-  });
-  action(menu, tr("&Energy overlay"), QKeySequence(Qt::CTRL | Qt::Key_2), [this] {
-    look_.energy_overlay = !look_.energy_overlay;
-    look_changed();
-  });
-  action(menu, tr("Angle z&ones overlay"), QKeySequence(Qt::CTRL | Qt::Key_3), [this] {
-    look_.angle_overlay = !look_.angle_overlay;
-    look_changed();
-  });
+  const auto overlay = [&](const QString& title, Qt::Key key, bool Look::*on) {
+    action(menu, title, QKeySequence(Qt::CTRL | key), [this, on] {
+      look_.*on = !(look_.*on);
+      look_changed();
+    });
+  };
+  overlay(tr("Forbidden &zone overlay"), Qt::Key_1, &Look::zone_overlay);
+  overlay(tr("&Energy overlay"), Qt::Key_2, &Look::energy_overlay);
+  overlay(tr("Angle z&ones overlay"), Qt::Key_3, &Look::angle_overlay);
   menu->addSeparator();
-  QMenu* panels = menu->addMenu(tr("P&anels"));
-  panels->setAccessibleName(tr("Panels"));
+  QMenu* panels = submenu(menu, tr("P&anels"));
   for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
   // The layout of a new window, saved before a remembered layout replaces it.
   const QByteArray first = saveState();
@@ -150,13 +143,12 @@ void Window::make_view_menu() {
     restoreState(first);
     for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->show();
   });
-  QMenu* themes = menu->addMenu(tr("&Theme"));
-  themes->setAccessibleName(tr("Theme"));
+  QMenu* themes = submenu(menu, tr("&Theme"));
   auto* group = new QActionGroup(this);
   for (const Theme theme : {Theme::dark, Theme::light}) {
     QAction* each = action(themes, theme == Theme::dark ? tr("&Dark") : tr("&Light"), {}, [this, theme] {
       apply_theme(*qApp, theme);
-      if (options_.remember) QSettings().setValue(QStringLiteral("theme"), name(theme));
+      if (options_.remember) QSettings().setValue("theme", name(theme));
     });
     each->setCheckable(true);
     each->setChecked(is_dark(palette()) == (theme == Theme::dark));

@@ -28,15 +28,16 @@ struct LoadedEnvironment {
 
 constexpr unsigned prefilter_threads = 2;
 
-//   picture     of a file that has been read; null: it is read, where it is a file
-//   prefilter   of what is to be shown first, or in the end
+// The environment of the lights, made by a worker.
+//   picture     the file's picture, where it has been read; null: a file is read
+//   prefilter   quick for the environment that is shown first, full for the one that stays
 LoadedEnvironment load(const LightSetup& lights, std::shared_ptr<const Image> picture,
                        Environment::Prefilter prefilter) {
   LoadedEnvironment out;
   const std::string& name = lights.environment;
   const double scale = lights.environment_scale;
   const bool quick = prefilter == Environment::Prefilter::quick;
-  try {
+  const auto work = [&] {
     if (find_studio(name) != nullptr) {
       out.environment = quick ? quick_studio_environment(name, scale, prefilter_threads)
                               : studio_environment(name, scale, prefilter_threads);
@@ -46,15 +47,12 @@ LoadedEnvironment load(const LightSetup& lights, std::shared_ptr<const Image> pi
           std::make_shared<const Environment>(*out.picture, scale, name, prefilter_threads, prefilter);
     }
     out.environment = with_ground(lights, std::move(out.environment), prefilter_threads, prefilter);
-    // So that the thread that draws does not wait for what refined pictures see.
+    // Samples for refined pictures are made here, so that the thread that draws does not wait for them.
     if (!quick && out.environment)
       for (const bool bright_apart : {false, true})
         (void)out.environment->samples(bright_apart, prefilter_threads);
-  } catch (const Error& error) {
-    out.error = QString::fromUtf8(error.what());
-  } catch (const std::bad_alloc&) {
-    out.error = QObject::tr("not enough memory for the environment");
-  }
+  };
+  out.error = failure_of(work, QObject::tr("not enough memory for the environment"));
   return out;
 }
 
@@ -86,23 +84,22 @@ void Window::connect_viewport() {
   connect(view_panel_, &ViewPanel::look_changed, this, soon);
   connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
     if (document_.material() == nullptr) return;
-    Comparison compare = document_.project().view.compare;
-    compare.pinned = *document_.material();
-    compare.on = true;
-    document_.edit_compare(compare, tr("pin as B"));
+    document_.change_view(tr("pin as B"), next_press_id(), [this](ProjectView& view) {
+      view.compare.pinned = *document_.material();
+      view.compare.on = true;
+    });
   });
 
   connect(viewport_, &Viewport::state_edited, this, [this](const ViewState& state, int press_id) {
     look_.camera = state.camera;
     look_.separator = state.separator;
-    ProjectView view = document_.project().view;
-    const std::string environment = view.lights.environment;
-    const double scale = view.lights.environment_scale;
-    view.lights = state.lights;
-    view.lights.environment = environment;
-    view.lights.environment_scale = scale;
-    view.environment_turn_deg = state.environment_turn_deg;
-    document_.edit_view(view, tr("light in the viewport"), press_id);
+    document_.change_view(tr("light in the viewport"), press_id, [&](ProjectView& view) {
+      LightSetup lights = state.lights;
+      lights.environment = view.lights.environment;
+      lights.environment_scale = view.lights.environment_scale;
+      view.lights = lights;
+      view.environment_turn_deg = state.environment_turn_deg;
+    });
   });
   connect(viewport_, &Viewport::frame_drawn, this, [this] {
     if (!seen_frame_) {
@@ -127,11 +124,11 @@ void Window::connect_viewport() {
 void Window::preview(const QString& id) {
   const auto record = document_.library()->find(id.toStdString());
   if (!record) return;
-  try {
-    look_.preview = with_measured(material_of(*record), *document_.library());
-  } catch (const Error& error) {
+  const QString failure =
+      failure_of([&] { look_.preview = with_measured(material_of(*record), *document_.library()); });
+  if (!failure.isEmpty()) {
     end_preview();
-    return tell(QString::fromUtf8(error.what()));
+    return tell(failure);
   }
   previewed_ = id;
   const QString name = QString::fromStdString(record->name);
@@ -167,9 +164,8 @@ void Window::refresh() {
 }
 
 void Window::set_environment(const QString& path) {
-  ProjectView view = document_.project().view;
-  choose_environment(view.lights, path.toStdString());
-  document_.edit_view(view, tr("environment"), next_press_id());
+  document_.change_view(tr("environment"), next_press_id(),
+                        [&](ProjectView& view) { choose_environment(view.lights, path.toStdString()); });
 }
 
 void Window::load_environment() {
@@ -224,7 +220,7 @@ void Window::show_curves() {
   if (tabs_->currentWidget() != curves_) return;
   if (m == nullptr) return curves_->set_surface(tr("no material"), 0, nullptr, {});
   const Model* model = find_model(m->specular_model);
-  try {
+  const QString failure = failure_of([&] {
     SurfaceValues surface = document_.surface_of(*m);
     const FittedModels fitted = fit_models(model, find_model(m->diffuse_model), m->parameters, surface);
     if (!m->measured)
@@ -232,9 +228,8 @@ void Window::show_curves() {
     const FoundF0 found = find_f0(*m->measured, *document_.library());
     curves_->set_material(found.material, found.chosen(), f0_options(*m->measured, *document_.library()),
                           m->gloss, model, fitted.specular_values);
-  } catch (const Error& error) {
-    tell(QString::fromUtf8(error.what()));
-  }
+  });
+  if (!failure.isEmpty()) tell(failure);
 }
 
 void Window::show_shader() {

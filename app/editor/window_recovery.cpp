@@ -7,7 +7,6 @@
 
 #include "app/editor/document/files.h"
 #include "app/editor/window.h"
-#include "app/viewport/background.h"
 
 namespace etak::editor {
 
@@ -89,37 +88,29 @@ bool Window::offer_recovery(const std::function<RecoveryChoice(const Recovery&)>
 }
 
 void Window::recover(const Recovery& recovery) {
-  ++busy_;
-  in_background(
-      io_, this,
+  read_or_write(
       [file = recovery.file, library = document_.library()] { return open_project(file, *library); },
       [this, recovery, revision = document_.revision()](Opened recovered) {
+        // The copy is kept, so that the user can look at it.
         if (!recovered.error.isEmpty()) {
-          --busy_;
-          // The copy is kept, so that the user can look at it.
           show_problems(tr("The last state could not be read"), {recovered.error});
           emit opened(false);
           return;
         }
         if (!may_replace(revision)) {
-          --busy_;
           tell(tr("The last state is kept for later"));
           emit opened(false);
           return;
         }
         document_.replace(std::move(recovered.project), recovery.path, false);
         autosave_->write_now();
-        in_background(
-            io_, this,
+        read_or_write(
             [recovery, autosave = autosave_] {
               autosave->wait();
               Autosave::discard(recovery);
               return true;
             },
-            [this](bool) {
-              --busy_;
-              emit opened(true);
-            });
+            [this](bool) { emit opened(true); });
       });
 }
 

@@ -13,53 +13,62 @@
 namespace etak::python {
 namespace {
 
-// What choose() found, and its documents.
+// The answer of choose(), with its documents.
 struct Choices {
   std::vector<std::string> materials, remarks;
   std::string json, text;
 };
 
-// The subjects that are asked for: the materials of a scene, or spheres of materials.
-struct Subjects {
-  std::vector<AskedMaterial> asked;
-  std::string scene;
+// What choose() is asked for: the materials of a scene, or spheres of materials, and its settings.
+struct Asked {
+  std::vector<AskedMaterial> materials;
+  std::string scene, costs;
+  ChooseOptions options;
+  std::optional<double> gloss, roughness;
+  unsigned threads = 1;
 };
 
-Subjects asked_subjects(const py::object& materials) {
-  Subjects out;
+Asked asked_of(const py::object& materials, const Keywords& given, int threads) {
+  Asked out;
+  out.costs = given.text("costs");
+  out.options = {given.number("budget").value_or(1),
+                 given.yes("codes") ? ErrorUnit::codes : ErrorUnit::delta_e};
+  out.gloss = given.number("gloss");
+  out.roughness = given.number("roughness");
+  out.threads = threads_of(threads);
   if (is_text(materials)) out.scene = text_of(materials, "materials");
   if (names_scene(out.scene)) return out;
   out.scene.clear();
   const bool is_one =
       is_text(materials) || py::isinstance<Material>(materials) || py::isinstance<DatasetOf>(materials);
-  out.asked = asked_materials(
+  out.materials = asked_materials(
       is_one ? std::vector{materials} : py::list(materials).cast<std::vector<py::object>>(), {});
-  if (out.asked.empty()) throw Error::at("materials", "no material", "a material, several, or a scene");
+  if (out.materials.empty()) throw Error::at("materials", "no material", "a material, several, or a scene");
   return out;
 }
 
-Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const std::optional<Gloss>& given,
-                   const std::string& costs, const Library& library, int threads, LongWork& work) {
+Choices choose_for(const Asked& of, const Library& library, LongWork& work) {
   Choices out;
-  const CostTable table = costs.empty() ? shipped_costs() : parse_costs(read_file(costs), costs);
-  validate(options);
+  const std::optional<Gloss> given = given_gloss(of.gloss, of.roughness);
+  const CostTable table = of.costs.empty() ? shipped_costs() : parse_costs(read_file(of.costs), of.costs);
+  validate(of.options);
   std::vector<ChooseSubject> all;
-  if (!subjects.scene.empty()) {
+  if (!of.scene.empty()) {
     if (given)
-      throw Error::at(setting("gloss") + ", " + setting("roughness"), "given beside " + subjects.scene,
+      throw Error::at(setting("gloss") + ", " + setting("roughness"), "given beside " + of.scene,
                       "a scene alone: it says its own");
     PackOptions pack;
     pack.input.pictures.door = picture_door_behind(&pictures);
-    pack.run.threads = threads_of(threads);
-    all = scene_subjects(subjects.scene, pack, library.get(), out.remarks);
+    pack.run.threads = of.threads;
+    all = scene_subjects(of.scene, pack, library.get(), out.remarks);
   }
-  for (const AskedMaterial& asked : subjects.asked) {
+  for (const AskedMaterial& asked : of.materials) {
     work.go_on();
     const DatasetOf found = read_one(asked, library, {});
     all.push_back(library_subject(*found.material, found.dataset(), given, out.remarks));
   }
   std::atomic<std::size_t> done{0};
-  const std::vector<Choice> found = choose_each(all, options, table, threads_of(threads), [&](unsigned) {
+  const std::vector<Choice> found = choose_each(all, of.options, table, of.threads, [&](unsigned) {
     work.tell(++done, all.size());
     work.go_on();
   });
@@ -68,27 +77,23 @@ Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const
     out.materials.push_back(each.material);
     if (!each.met) out.remarks.push_back(unmet_remark(each));
   }
-  out.json = choice_json(found, table, subjects.scene);
-  out.text = choice_text(found, table, subjects.scene);
+  out.json = choice_json(found, table, of.scene);
+  out.text = choice_text(found, table, of.scene);
   return out;
 }
 
 // The documents for etak/documents.py, and beside them the texts whose bytes JSON may not hold.
-py::dict choose_call(const py::object& materials, double budget, bool codes, std::optional<double> gloss,
-                     std::optional<double> roughness, const py::object& costs, const Library& library,
-                     int threads, py::object progress) {
-  const Subjects subjects = asked_subjects(materials);
-  const std::string cost_file = text_of(costs, "costs");
-  const ChooseOptions options{budget, codes ? ErrorUnit::codes : ErrorUnit::delta_e};
+py::dict choose_call(const py::object& materials, const py::dict& given, const Library& library, int threads,
+                     py::object progress) {
+  const Asked of = asked_of(materials, {given}, threads);
   LongWork work(std::move(progress));
   const Choices found = work.unlocked([&] {
-    const std::optional<Gloss> given = given_gloss(gloss, roughness);
     return with_memory_for(
-        subjects.scene.empty() ? "choose" : subjects.scene, [] { return "what its shading is chosen from"; },
-        [&] { return choose_for(subjects, options, given, cost_file, library, threads, work); });
+        of.scene.empty() ? "choose" : of.scene, [] { return "what its shading is chosen from"; },
+        [&] { return choose_for(of, library, work); });
   });
   py::dict out;
-  out["scene"] = subjects.scene;
+  out["scene"] = of.scene;
   out["materials"] = found.materials;
   out["remarks"] = found.remarks;
   out["json"] = found.json;
@@ -99,9 +104,7 @@ py::dict choose_call(const py::object& materials, double budget, bool codes, std
 }  // namespace
 
 void add_choose(py::module_& module) {
-  module.def("choose", &choose_call, py::arg("materials"), py::arg("budget"), py::arg("codes"),
-             py::arg("gloss"), py::arg("roughness"), py::arg("costs"), py::arg("library"), py::arg("threads"),
-             py::arg("progress"));
+  module.def("choose", &choose_call);
 }
 
 }  // namespace etak::python

@@ -84,7 +84,7 @@ namespace {
 
 // ---- one material
 
-/// What an answer says beyond its row.
+/// The parts of an answer that its row does not hold.
 struct F0Words {
   std::string space, policy, text, json;
   std::optional<Spread> spread;
@@ -100,7 +100,7 @@ struct F0Answer {
   const F0Result& result() const { return row.result; }
 };
 
-// With the tables of the caller's that it reads.
+// A solver, kept alive together with the caller's tables that it reads.
 std::shared_ptr<const F0Solver> solver_of(const F0Settings& settings, const Library& library) {
   const auto both =
       std::make_shared<std::pair<F0Settings, F0Solver>>(settings, F0Solver(options_of(settings, library)));
@@ -340,8 +340,7 @@ void add_f0(py::module_& module) {
       .def("__str__", &text_of_answer)
       .def("__repr__", &repr_of)
       .def("_repr_html_", &html_of);
-  module.def("f0", &answers, py::arg("materials"), py::arg("dataset"), py::arg("axis_average"),
-             py::arg("settings"), py::arg("library"), py::arg("threads"));
+  module.def("f0", &answers);
 }
 
 }  // namespace etak::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a caller gives as a material to a material.
+// Finds the material that a caller means by a name, a path or an object.
 #include "app/python/module.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"

@@ -46,7 +46,7 @@ const OpticalConstants& constants_of(const DatasetOf& of) {
   return *out;
 }
 
-// What `read` gives at wavelengths of any shape: an array of that shape, or a number for a number.
+// The values of `read` at wavelengths of any shape: an array of that shape, or a number for a number.
 template <class Read>
 py::object at_wavelengths(const py::object& wavelength, bool extrapolate, const std::string& interpolation,
                           const Read& read) {
@@ -368,10 +368,8 @@ void add_library(py::module_& module) {
   add_library_type(module);
   module.attr("library") =
       py::cast(const_cast<Library*>(&standard_library()), py::return_value_policy::reference);
-  module.def("dataset", &made_dataset, py::arg("wavelength"), py::arg("n"), py::arg("k"),
-             py::arg("reflectance"), py::arg("name"));
-  module.def("read", &read_call, py::arg("material"), py::arg("dataset"), py::arg("tables"),
-             py::arg("library"));
+  module.def("dataset", &made_dataset);
+  module.def("read", &read_call);
 }
 
 }  // namespace etak::python

@@ -89,6 +89,15 @@ std::string text_of(const py::handle& value, const std::string& name) {
                        printable(py::repr(value).cast<std::string>(), 200));
 }
 
+std::optional<double> Keywords::number(const char* name) const {
+  try {
+    return at(name).cast<std::optional<double>>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(std::string(name) + ": a number is expected, not " +
+                         printable(py::repr(at(name)).cast<std::string>(), 200));
+  }
+}
+
 unsigned threads_of(int asked) {
   constexpr int most = 256;
   if (asked < 0 || asked > most)
@@ -162,9 +171,8 @@ PYBIND11_MODULE(_core, module) {
       error(line_text(what.what()).c_str());
     }
   });
-  module.def(
-      "_start", [](const std::string& folder) { module_folder = folder; }, py::arg("folder"));
-  module.def("repr_line", &repr_line, py::arg("name"), py::arg("text"));
+  module.def("_start", [](const std::string& folder) { module_folder = folder; });
+  module.def("repr_line", &repr_line);
   add_library(module);
   add_f0(module);
   add_fresnel(module);

@@ -70,9 +70,9 @@ class Library {
  public:
   explicit Library(std::vector<std::string> folders) : folders_(std::move(folders)) {}
 
-  /// From any thread.
+  /// The materials. Any thread may ask.
   const MaterialLibrary& get() const;
-  /// The same for a thread that holds the interpreter's lock: reading folders can be interrupted.
+  /// The materials for a thread that holds the interpreter's lock: reading folders can be interrupted.
   const MaterialLibrary& opened() const;
   const std::vector<std::string>& folders() const { return folders_; }
   LibraryWhenAsked when_asked() const {
@@ -99,7 +99,7 @@ struct DatasetOf {
   std::string label() const { return material->id + "/" + dataset().id; }
 };
 
-/// What a caller gives as a material: a name, a path, a Material or a Dataset.
+/// The material that a caller asks for: a name, a path, a Material or a Dataset.
 ///   text   as a command line has it: "gold", "gold/johnson-1972", "page.yml"; of objects with '/' and the id
 struct AskedMaterial {
   std::string text;
@@ -108,7 +108,7 @@ struct AskedMaterial {
 };
 AskedMaterial asked_material(const py::object& value, const std::string& dataset);
 
-/// The same of several; Ctrl-C is heard meanwhile.
+/// The materials that a caller asks for in a list; Ctrl-C is heard meanwhile.
 std::vector<AskedMaterial> asked_materials(const std::vector<py::object>& values, const std::string& dataset);
 
 /// The one input that was asked for, and its material. Throws Error where it is none, or several.
@@ -133,6 +133,7 @@ struct Keywords {
   }
   std::string text(const char* name) const { return text_of(at(name), name); }
   std::vector<std::string> texts(const char* name) const { return texts_of(at(name), name); }
+  std::optional<double> number(const char* name) const;  // none: None; throws TypeError for what is none
   bool yes(const char* name) const { return given.contains(name) && given[name].cast<bool>(); }
 };
 

@@ -86,7 +86,7 @@ PackOptions options_of(const PackSettings& settings, const Keywords& given, int 
   return out;
 }
 
-// What was packed, and what the validator found on its pages.
+// The result of packing, and the findings of the validator on its pages.
 struct Packed {
   PackResult result;
   std::shared_ptr<const ValidationReport> report;  // null: they were not checked
@@ -123,13 +123,13 @@ Packed packed(const PackSettings& settings, PackOptions options,
 }
 
 // The documents of a pack for etak/documents.py, and beside them the texts whose bytes JSON may not hold.
-py::dict pack_call(const py::object& input, const py::object& output, const py::dict& given,
-                   const py::dict& more, const Library& library, int threads, py::object progress) {
-  const PackSettings settings = pack_settings(text_of(input, "input"), text_of(output, "output"), more);
+py::dict pack_call(const py::dict& given, const py::dict& more, const Library& library, int threads,
+                   py::object progress) {
+  const Keywords how{given};
+  const PackSettings settings = pack_settings(how.text("input"), how.text("output"), more);
   if (settings.input.empty())
     throw Error::at("input", "nothing to pack", "a manifest, a glTF scene or a folder");
   if (settings.out.empty()) throw Error::at("output", "no folder to write", "the name of a folder");
-  const Keywords how{given};
   std::optional<ValidateSettings> check;
   if (how.yes("validate")) check = check_settings(how);
   const PackOptions options = options_of(settings, how, threads);
@@ -151,8 +151,7 @@ py::dict pack_call(const py::object& input, const py::object& output, const py::
 }  // namespace
 
 void add_pack(py::module_& module) {
-  module.def("pack", &pack_call, py::arg("input"), py::arg("output"), py::arg("given"), py::arg("settings"),
-             py::arg("library"), py::arg("threads"), py::arg("progress"));
+  module.def("pack", &pack_call);
   module.def("pack_settings", [] {
     py::dict out;
     for (const PackSettingRow& row : pack_setting_rows()) {

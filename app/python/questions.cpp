@@ -114,8 +114,7 @@ Array evaluated(const std::string& id, const py::dict& words, const py::dict& nu
 // ---- what is asked of a surface
 
 std::optional<Gloss> gloss_of(const Keywords& how) {
-  const auto share = [&](const char* name) { return how.at(name).cast<std::optional<double>>(); };
-  return given_gloss(share("gloss"), share("roughness"));
+  return given_gloss(how.number("gloss"), how.number("roughness"));
 }
 
 std::optional<LinearRgb> diffuse_of(const Keywords& how) {
@@ -137,7 +136,7 @@ struct ExportCall {
   GltfMaterialForm form = GltfMaterialForm::metal_rough;
 };
 
-// The document, and what was assumed and changed.
+// The document, and remarks on what was assumed and changed.
 struct Exported {
   std::string document;
   std::vector<std::string> remarks;
@@ -208,7 +207,7 @@ py::tuple export_call(const std::vector<py::object>& materials, const std::strin
 
 // ---- curves
 
-// What etak.curve() asks for: the curves in a form of AskedCurves or as "png", and what was assumed.
+// The answer of etak.curve(): the curves in a form of AskedCurves or as "png", and the remarks on what was assumed.
 py::tuple curve_call(const std::vector<py::object>& materials, const std::string& form, const py::dict& given,
                      const Library& library) {
   const Keywords how{given};
@@ -264,29 +263,21 @@ py::tuple curve_call(const std::vector<py::object>& materials, const std::string
 }  // namespace
 
 void add_questions(py::module_& module) {
-  module.def("nearest", &nearest, py::arg("color"), py::arg("linear"), py::arg("count"), py::arg("classes"),
-             py::arg("library"), py::arg("threads"));
-  module.def(
-      "hex_color", [](const std::string& text) { return array_of_rgb(srgb_decode(parse_hex(text))); },
-      py::arg("text"));
-  module.def("delta_e", &delta_e, py::arg("a"), py::arg("b"));
-  module.def("evaluated", &evaluated, py::arg("function"), py::arg("words"), py::arg("numbers"));
+  module.def("nearest", &nearest);
+  module.def("hex_color", [](const std::string& text) { return array_of_rgb(srgb_decode(parse_hex(text))); });
+  module.def("delta_e", &delta_e);
+  module.def("evaluated", &evaluated);
   const auto list_of = [](const std::string& document, const char* member) {
     return py::module_::import("json").attr("loads")(document)[member].cast<py::list>();
   };
   module.def("functions", [list_of] { return list_of(functions_json(), "functions"); });
   module.def("sources",
              [list_of] { return list_of(sources_json(source_rows(MaterialLibrary::builtin())), "rows"); });
-  module.def(
-      "write_file",
-      [](const std::string& path, const py::bytes& bytes, bool force) {
-        write_file(path, std::string_view(bytes), force);
-      },
-      py::arg("path"), py::arg("bytes"), py::arg("force"));
-  module.def("curve", &curve_call, py::arg("materials"), py::arg("form"), py::arg("given"),
-             py::arg("library"));
-  module.def("export", &export_call, py::arg("materials"), py::arg("to"), py::arg("given"),
-             py::arg("library"), py::arg("threads"));
+  module.def("write_file", [](const std::string& path, const py::bytes& bytes, bool force) {
+    write_file(path, std::string_view(bytes), force);
+  });
+  module.def("curve", &curve_call);
+  module.def("export", &export_call);
 }
 
 }  // namespace etak::python

@@ -36,8 +36,9 @@ void check_shape(const Array& array, const char* name, const Rows& rows) {
                     "(N, M) or (M,) with M = " + std::to_string(samples) + " as wavelength has");
 }
 
-Rows rows_of(const py::object& given_n, const py::object& given_k, const py::object& reflectance,
-             const py::object& wavelength) {
+Rows rows_of(const Keywords& given) {
+  const py::object given_n = given.at("n"), given_k = given.at("k"), reflectance = given.at("reflectance"),
+                   wavelength = given.at("wavelength");
   Rows out;
   if (wavelength.is_none())
     throw Error::at("wavelength", "is not given", "wavelengths in nm, one for each sample");
@@ -86,38 +87,21 @@ void check_values(std::span<const double> values, double most, std::span<const d
 
 // The optics of one thread, whose wavelengths are set once and whose values are those of one row after the
 // other.
-class RowOptics {
- public:
-  RowOptics(const Rows& rows, std::span<const double> wavelength) {
-    const Spectrum blank{{wavelength.begin(), wavelength.end()}, std::vector<double>(wavelength.size())};
-    if (rows.is_reflectance)
-      optics_ = Reflectance{blank};
-    else if (rows.has_k)
-      optics_ = OpticalConstants{blank, blank};
-    else
-      optics_ = OpticalConstants{blank, std::nullopt};
-  }
-  void set(std::span<const double> first, std::span<const double> second) {
-    if (auto* reflectance = std::get_if<Reflectance>(&optics_)) {
-      copy(first, reflectance->spectrum);
-      return;
-    }
-    auto& constants = std::get<OpticalConstants>(optics_);
-    copy(first, std::get<Spectrum>(constants.n));
-    if (constants.k) copy(second, *constants.k);
-  }
-  const Optics& optics() const { return optics_; }
-  std::span<const double> first() const {
-    if (const auto* reflectance = std::get_if<Reflectance>(&optics_)) return reflectance->spectrum.value;
-    return std::get<Spectrum>(std::get<OpticalConstants>(optics_).n).value;
-  }
-  std::span<const double> second() const { return std::get<OpticalConstants>(optics_).k->value; }
+struct RowOptics {
+  Optics optics;
 
- private:
-  static void copy(std::span<const double> from, Spectrum& to) {
-    std::copy(from.begin(), from.end(), to.value.begin());
+  RowOptics(const Rows& rows, const std::vector<double>& nm) {
+    const Spectrum blank{nm, std::vector<double>(nm.size())};
+    if (rows.is_reflectance)
+      optics = Reflectance{blank};
+    else
+      optics = OpticalConstants{blank, rows.has_k ? std::optional(blank) : std::nullopt};
   }
-  Optics optics_;
+  std::vector<double>& first() {
+    if (auto* reflectance = std::get_if<Reflectance>(&optics)) return reflectance->spectrum.value;
+    return std::get<Spectrum>(std::get<OpticalConstants>(optics).n).value;
+  }
+  std::vector<double>& second() { return std::get<OpticalConstants>(optics).k->value; }
 };
 
 // The linear colour of one row after the other: of F0Solver's steps those alone that it needs.
@@ -179,22 +163,22 @@ void solve_rows(const Rows& rows, const F0Options& options, int threads, LongWor
     if (!rooms[worker]) rooms[worker].emplace(Room{RowOptics(rows, nm), {}});
     RowOptics& room = rooms[worker]->optics;
     for (std::size_t row = begin; row < end; ++row) {
-      const auto of = [&](std::span<const double> all) {
-        return all.subspan(row * rows.samples, rows.samples);
-      };
-      room.set(of(first), rows.has_k ? of(second) : second);
       // The copies are checked, because another thread may change the arrays meanwhile.
+      std::copy_n(&first[row * rows.samples], rows.samples, room.first().begin());
       check_values(room.first(), most, nm, rows.name(), [&] { return rows.place(row); });
-      if (rows.has_k) check_values(room.second(), most_k, nm, "k", [&] { return rows.k_place(row); });
-      const Vec3 color = vec(solver(room.optics(), rooms[worker]->spectra, rows, row));
+      if (rows.has_k) {
+        std::copy_n(&second[row * rows.samples], rows.samples, room.second().begin());
+        check_values(room.second(), most_k, nm, "k", [&] { return rows.k_place(row); });
+      }
+      const Vec3 color = vec(solver(room.optics, rooms[worker]->spectra, rows, row));
       std::copy(color.begin(), color.end(), colors.begin() + static_cast<std::ptrdiff_t>(3 * row));
     }
   });
 }
 
 // The unit of the wavelengths of arrays, which for photon energies run the other way.
-void in_nm(Rows& rows, const py::dict& given) {
-  const auto unit = table_options(table_settings({given})).unit.value_or(WavelengthUnit::nanometre);
+void in_nm(Rows& rows, const Keywords& given) {
+  const auto unit = table_options(table_settings(given)).unit.value_or(WavelengthUnit::nanometre);
   if (unit == WavelengthUnit::nanometre) return;
   const std::span<const double> values = values_of(rows.wavelength);
   std::vector<double> nm;
@@ -210,11 +194,11 @@ void in_nm(Rows& rows, const py::dict& given) {
   if (rows.has_k) rows.second = turned(rows.second);
 }
 
-Array f0_of_rows(const py::object& n, const py::object& k, const py::object& reflectance,
-                 const py::object& wavelength, const py::dict& given, const Library& library, int threads) {
-  Rows rows = rows_of(n, k, reflectance, wavelength);
+Array f0_of_rows(const py::dict& keywords, const Library& library, int threads) {
+  const Keywords given{keywords};
+  Rows rows = rows_of(given);
   in_nm(rows, given);
-  const F0Settings settings = f0_settings({given});
+  const F0Settings settings = f0_settings(given);
   std::vector<py::ssize_t> shape{3};
   if (!rows.one) shape.insert(shape.begin(), static_cast<py::ssize_t>(rows.count));
   Array out(shape);
@@ -230,8 +214,7 @@ Array f0_of_rows(const py::object& n, const py::object& k, const py::object& ref
 }  // namespace
 
 void add_rows(py::module_& module) {
-  module.def("f0_of_rows", &f0_of_rows, py::arg("n"), py::arg("k"), py::arg("reflectance"),
-             py::arg("wavelength"), py::arg("settings"), py::arg("library"), py::arg("threads"));
+  module.def("f0_of_rows", &f0_of_rows);
 }
 
 }  // namespace etak::python

@@ -28,8 +28,11 @@ NAMES = ((r"\betak\._core\.", ""), (r"numpy\.ndarray\[numpy\.float64\]", "npt.ND
 SPECIAL = ("__init__", "__len__", "__iter__", "__contains__", "__getitem__", "_repr_html_")
 
 
-def signature(function):
-    """"(self, wavelength: Any) -> Any"."""
+def signature(function, first=r"arg0: \w+"):
+    """"(self, wavelength: Any) -> Any".
+
+      first   what stands for self
+    """
     if isinstance(function, types.FunctionType):  # of notebook.py
         text = str(inspect.signature(function)).replace("'", "")
     else:
@@ -38,7 +41,7 @@ def signature(function):
         text = re.sub(pattern, name, text)
     if re.search(r"etak::|std::|handle", text):
         raise SystemExit(f"stubs.py: {function}: {text}: a type that Python does not know")
-    return re.sub(r"^\((?:arg0|self): \w+", "(self", text)
+    return re.sub(rf"^\((?:{first}|self: \w+)", "(self", text)
 
 
 def members(kind):
@@ -61,7 +64,7 @@ def main(folder, file):
             out.append("\n".join(["@final", f"class {name}:", *members(value), ""]))
     for name, value in vars(_core).items():
         if isinstance(value, types.BuiltinFunctionType):
-            out.append(f"def {name}{signature(value)}: ...")
+            out.append(f"def {name}{signature(value, 'self')}: ...")
     Path(file).write_text("\n".join(out) + "\n")
 
 

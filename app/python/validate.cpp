@@ -86,7 +86,7 @@ py::function check(const py::object& paths, const py::dict& given, const Library
       fail_on);
 }
 
-// What the rule of a finding is about, at length; empty: no rule has the id.
+// The long text about a rule; empty: no rule has the id.
 std::string explanation_of(const std::string& id) {
   const Rule* const rule = find_rule(id);
   return rule == nullptr ? "" : explanation(*rule);
@@ -95,9 +95,8 @@ std::string explanation_of(const std::string& id) {
 }  // namespace
 
 void add_validate(py::module_& module) {
-  module.def("explanation", &explanation_of, py::arg("rule"));
-  module.def("validate", &check, py::arg("paths"), py::arg("settings"), py::arg("library"),
-             py::arg("threads"), py::arg("progress"));
+  module.def("explanation", &explanation_of);
+  module.def("validate", &check);
 }
 
 }  // namespace etak::python

@@ -11,7 +11,7 @@
 #include "core/base/bytes/member_bytes.h"
 #include "core/base/error.h"
 
-// What all types of the module have in common: they are values that nothing changes.
+// Helpers for the types of the module, which are all values that nothing changes.
 namespace etak::python {
 
 namespace py = pybind11;

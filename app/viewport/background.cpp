@@ -6,6 +6,9 @@
 #include <QRunnable>
 #include <QThread>
 #include <algorithm>
+#include <new>
+
+#include "core/base/error.h"
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -79,6 +82,17 @@ void run_in(QThreadPool& pool, std::function<void()> work, int priority) {
   auto* const task = new Task(std::move(work));
   hand_over(task);
   pool.start(task, priority);  // the pool deletes the task
+}
+
+QString failure_of(const std::function<void()>& work, const QString& no_memory) {
+  try {
+    work();
+    return {};
+  } catch (const Error& error) {
+    return QString::fromUtf8(error.what());
+  } catch (const std::bad_alloc&) {
+    return no_memory.isEmpty() ? QObject::tr("not enough memory") : no_memory;
+  }
 }
 
 void let_others_go_first() {

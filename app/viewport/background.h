@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <QString>
 #include <QThreadPool>
 #include <functional>
 #include <memory>
@@ -17,6 +18,21 @@ namespace etak {
 /// Runs `work` on a thread of `pool`. `work` must not throw, and it must own all data that it uses: it may
 /// use no object of the user-interface thread.
 void run_in(QThreadPool& pool, std::function<void()> work, int priority = 0);
+
+/// A pool of threads that belongs to one object. When it is destroyed, it drops the work that has not begun, and
+/// waits for the rest.
+class Worker : public QThreadPool {
+ public:
+  explicit Worker(int threads = 1) { setMaxThreadCount(threads); }
+  ~Worker() override {
+    clear();
+    waitForDone();
+  }
+};
+
+/// Does `work`, which may throw Error. Returns its message; empty: all went well.
+///   no_memory   the message where there is not enough memory
+QString failure_of(const std::function<void()>& work, const QString& no_memory = {});
 
 /// Lets threads that somebody waits for have the processors first, from now on and for as long as the calling
 /// thread lives. For threads of a pool of their own.

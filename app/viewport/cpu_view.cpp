@@ -4,20 +4,14 @@
 #include <QElapsedTimer>
 #include <QPainter>
 #include <algorithm>
-#include <thread>
 
 #include "app/viewport/background.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 
 namespace etak {
 CpuView::CpuView(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
-  pool_.setMaxThreadCount(1);
-}
-
-CpuView::~CpuView() {
-  *stop_ = true;
-  pool_.waitForDone();
 }
 
 void CpuView::show_state(const ViewState& state, const ViewDisplay& display, bool hurry) {
@@ -47,11 +41,7 @@ void CpuView::start() {
         QElapsedTimer timer;
         timer.start();
         Drawn out;
-        try {
-          out.picture = cpu_picture(state, display, size, std::max(1u, std::thread::hardware_concurrency()));
-        } catch (const Error& error) {
-          out.message = QString::fromUtf8(error.what());
-        }
+        out.message = failure_of([&] { out.picture = cpu_picture(state, display, size, thread_count(0)); });
         out.ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
         return out;
       },
@@ -82,10 +72,9 @@ void CpuView::refine() {
       pool_, this,
       [state = refined, display = display_, size = picture_size(), stop = stop_] {
         try {
-          return cpu_picture(state, display, size, std::max(1u, std::thread::hardware_concurrency()),
-                             [&](std::size_t, unsigned) {
-                               if (*stop) throw Stopped{};
-                             });
+          return cpu_picture(state, display, size, thread_count(0), [&](std::size_t, unsigned) {
+            if (*stop) throw Stopped{};
+          });
         } catch (const Stopped&) {
           return QImage();
         } catch (const Error&) {

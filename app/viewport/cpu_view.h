@@ -2,11 +2,11 @@
 #pragma once
 
 #include <QImage>
-#include <QThreadPool>
 #include <QWidget>
 #include <atomic>
 #include <memory>
 
+#include "app/viewport/background.h"
 #include "app/viewport/display.h"
 #include "app/viewport/frame_share.h"
 
@@ -20,7 +20,7 @@ class CpuView : public QWidget {
 
  public:
   explicit CpuView(QWidget* parent);
-  ~CpuView() override;
+  ~CpuView() override { *stop_ = true; }
 
   void show_state(const ViewState& state, const ViewDisplay& display, bool hurry);
   QSize picture_size() const { return size() * devicePixelRatioF(); }
@@ -48,7 +48,7 @@ class CpuView : public QWidget {
   std::shared_ptr<std::atomic<bool>> stop_ = std::make_shared<std::atomic<bool>>(false);
   double share_ = 1;
   FrameShare shares_;
-  QThreadPool pool_;  // the last member, so that its thread ends before the others are destroyed
+  Worker pool_;  // the last member, so that its thread ends before the others are destroyed
 };
 
 }  // namespace etak

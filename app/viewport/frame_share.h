@@ -15,7 +15,7 @@ inline constexpr double fluid_ms = 33;
 /// the frames before, so that frames take fluid_ms at most where that is possible.
 class FrameShare {
  public:
-  /// From the whole picture to a sixteenth of its pixels, which is shown as large.
+  /// The shares run from the whole picture to a sixteenth of its pixels, which is enlarged.
   static constexpr std::array shares{1.0, 0.75, 0.5, 0.375, 0.25};
 
   double next() const {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/gl_frames.h"
 
+#include "app/viewport/background.h"
 #include "app/viewport/frame_share.h"
-#include "app/viewport/gl_textures.h"
-#include "core/base/error.h"
 
 namespace etak {
 
@@ -11,7 +10,7 @@ GlFrames::GlFrames() = default;
 GlFrames::~GlFrames() = default;
 
 GlTarget& GlFrames::of_size(std::unique_ptr<GlTarget>& kept, const QSize& size) {
-  if (!kept || kept->size() != size) kept = painter_.target(size);
+  if (!kept || kept->size() != size) kept = gl_target(size);
   return *kept;
 }
 
@@ -21,12 +20,8 @@ GlFrame GlFrames::draw(const GlJob& job) {
   out.share = job.share;
   const QSize drawn_size = FrameShare::size(job.size, job.share);
   std::vector<ViewTile> tiles;
-  try {
-    tiles = view_tiles(job.state, drawn_size.width(), drawn_size.height());
-  } catch (const Error& error) {
-    out.refused = QString::fromUtf8(error.what());
-  }
-  try {
+  out.refused = failure_of([&] { tiles = view_tiles(job.state, drawn_size.width(), drawn_size.height()); });
+  out.failed = failure_of([&] {
     // Enlarged here and not where it is shown, because the user-interface thread must not wait for the driver to
     // compile how.
     const bool whole = drawn_size == job.size;
@@ -37,15 +32,13 @@ GlFrame GlFrames::draw(const GlJob& job) {
     const GlPainter::Drawn drawn = painter_.draw(tiles, job.state.environment, job.display, target, rows);
     out.context_lost = drawn.context_lost;
     out.refined = job.state.refined;
-    if (out.refined && !job.is_last_band()) return out;
+    if (out.refined && !job.is_last_band()) return;
     next_ = 1 - next_;
     out.texture = shown.texture();
     out.background = drawn.background;
     out.frame_ms = drawn.frame_ms + (whole ? 0 : painter_.enlarge(target, shown));
     out.compile_ms = drawn.compile_ms;
-  } catch (const Error& error) {
-    out.failed = QString::fromUtf8(error.what());
-  }
+  });
   return out;
 }
 

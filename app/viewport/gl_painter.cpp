@@ -54,7 +54,7 @@ struct GlPainter::State {
     if (laid.size() >= 2) laid.pop_back();
     Laid& out = laid.emplace_front(Laid{wanted, {}});
     for (const auto& [name, texture] : samplers_of(*wanted))
-      out.samplers.emplace_back(name, std::make_unique<GlTexture>(gl, *texture, false));
+      out.samplers.emplace_back(name, gl_texture(*texture, false));
     return out;
   }
 
@@ -68,8 +68,8 @@ struct GlPainter::State {
     maps.clear();
     environment = wanted;
     if (!environment) return;
-    irradiance = std::make_unique<GlTexture>(gl, environment->irradiance_map(), true);
-    levels = std::make_unique<GlTexture>(gl, environment->level_stack(), true);
+    irradiance = gl_texture(environment->irradiance_map(), true);
+    levels = gl_texture(environment->level_stack(), true);
   }
 
   void take(const std::shared_ptr<const OcioShader>& wanted) {
@@ -77,13 +77,12 @@ struct GlPainter::State {
     tables.clear();
     display = wanted;
     if (display)
-      for (const OcioShader::Table& table : display->tables)
-        tables.push_back(std::make_unique<GlTexture>(gl, table));
+      for (const OcioShader::Table& table : display->tables) tables.push_back(gl_texture(table));
   }
 
   GlTexture& environment_texture(const Image* map) {
     std::unique_ptr<GlTexture>& out = maps[map];
-    if (!out) out = std::make_unique<GlTexture>(gl, *map, true);
+    if (!out) out = gl_texture(*map, true);
     return *out;
   }
 
@@ -99,15 +98,14 @@ struct GlPainter::State {
       if (light != nullptr)
         for (const Image* map : {&light->irradiance, &light->stack}) (void)environment_texture(map);
       const auto table = ambient_table(scene, held_by_textures(scene));
-      if (table != lobe && !table->samples.empty())
-        lobe_samples = std::make_unique<GlTexture>(gl, table->samples.picture, false);
+      if (table != lobe && !table->samples.empty()) lobe_samples = gl_texture(table->samples.picture, false);
       lobe = table;
     }
-    // They are made before the other textures are bound, because making a texture binds it to unit 0.
+    // Textures are made before any is bound for drawing, because making a texture binds it to unit 0.
     const Laid* surface = scene.textures ? &take_textures(scene.textures) : nullptr;
     int unit = 0;
     const auto bind = [&](GlTexture& texture, const std::string& sampler) {
-      texture.bind(unit);
+      texture.bind(static_cast<GLuint>(unit));
       program.set_sampler(sampler, unit++);
     };
     if (environment) {
@@ -149,7 +147,7 @@ struct GlPainter::State {
     // Limits the memory of a session in which very many programs are used.
     if (programs.size() > 200 && !programs.contains(text.fragment)) programs.clear();
     std::unique_ptr<GlProgram>& program = programs[text.fragment];
-    if (!program) program = std::make_unique<GlProgram>(gl, text);
+    if (!program) program = std::make_unique<GlProgram>(text);
     const double now_ms = draw_with(*program, text, tile, height, timer);
     return {now_ms, program->compile_ms};
   }
@@ -183,15 +181,15 @@ struct GlPainter::State {
     return shown(pixel, shows, 1).pixelColor(0, 0);
   }
 
-  Rows rows;  // that are drawn
+  Rows rows;  // the rows that are drawn
 
   Drawn draw(const std::vector<ViewTile>& tiles, const ViewDisplay& shows, const GlTarget& target) {
     Drawn out;
     double compile_ms = 0;
-    const QSize& size = target.size();
+    const QSize size = target.size();
     QElapsedTimer timer;
     timer.start();
-    gl.glBindFramebuffer(GL_FRAMEBUFFER, target.frame());
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, target.handle());
     gl.glBindVertexArray(no_vertices);
     gl.glDisable(GL_DITHER);
     gl.glDisable(GL_BLEND);
@@ -225,10 +223,6 @@ struct GlPainter::State {
 GlPainter::GlPainter() : state_(std::make_unique<State>()) {}
 GlPainter::~GlPainter() = default;
 
-std::unique_ptr<GlTarget> GlPainter::target(const QSize& size) {
-  return std::make_unique<GlTarget>(state_->gl, size);
-}
-
 GlPainter::Drawn GlPainter::draw(const std::vector<ViewTile>& tiles,
                                  const std::shared_ptr<const Environment>& environment,
                                  const ViewDisplay& display, const GlTarget& target, const Rows& rows) {
@@ -242,8 +236,8 @@ double GlPainter::enlarge(const GlTarget& small, const GlTarget& target) {
   Gl& gl = state_->gl;
   QElapsedTimer timer;
   timer.start();
-  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, small.frame());
-  gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.frame());
+  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, small.handle());
+  gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.handle());
   gl.glBlitFramebuffer(0, 0, small.size().width(), small.size().height(), 0, 0, target.size().width(),
                        target.size().height(), GL_COLOR_BUFFER_BIT, GL_LINEAR);
   gl.glFinish();
@@ -254,8 +248,8 @@ QImage GlPainter::picture(const std::vector<ViewTile>& tiles,
                           const std::shared_ptr<const Environment>& environment, const ViewDisplay& display,
                           const QSize& size) {
   Gl& gl = state_->gl;
-  const GlTarget target(gl, size);
-  draw(tiles, environment, display, target, {});
+  const auto target = gl_target(size);
+  draw(tiles, environment, display, *target, {});
   QImage out(size, QImage::Format_RGBX8888);
   gl.glPixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.glReadPixels(0, 0, size.width(), size.height(), GL_RGBA, GL_UNSIGNED_BYTE, out.bits());

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "app/viewport/gl_textures.h"
 #include "core/render/view_state.h"
 
 namespace etak {
 
-class GlTarget;
 struct ViewDisplay;
 
 /// Draws the scenes of a view with the current OpenGL context. The same context must be current when an
@@ -24,8 +24,6 @@ class GlPainter {
   ~GlPainter();
   GlPainter(const GlPainter&) = delete;
   GlPainter& operator=(const GlPainter&) = delete;
-
-  std::unique_ptr<GlTarget> target(const QSize& size);
 
   /// Draws the tiles into `target` and waits for the end of the drawing. Programs are kept by their text, so
   /// that only a change that switches parts of a shader on or off compiles. Throws Error with the message of

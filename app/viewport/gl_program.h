@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
 #include <map>
 #include <string>
 
@@ -20,12 +21,9 @@ std::string renderer_name(Gl& gl);
 class GlProgram {
  public:
   /// Throws Error with the driver's message.
-  GlProgram(Gl& gl, const GlslText& text);
-  ~GlProgram();
-  GlProgram(const GlProgram&) = delete;
-  GlProgram& operator=(const GlProgram&) = delete;
+  explicit GlProgram(const GlslText& text);
 
-  void use();
+  void use() { program_.bind(); }
   void set(const GlslUniform& uniform);
   void set_sampler(const std::string& name, int unit);
 
@@ -33,12 +31,10 @@ class GlProgram {
   bool drawn = false;
 
  private:
-  GLint place(const std::string& name);
-  void attach(GLenum kind, const std::string& text);
+  int place(const std::string& name);
 
-  Gl& gl_;
-  GLuint id_;
-  std::map<std::string, GLint> places_;
+  QOpenGLShaderProgram program_;
+  std::map<std::string, int> places_;
 };
 
 }  // namespace etak

@@ -4,6 +4,7 @@
 #include <QOpenGLContext>
 #include <exception>
 
+#include "app/viewport/background.h"
 #include "core/base/error.h"
 
 namespace etak {
@@ -52,14 +53,13 @@ void GlThread::draw(const GlJob& job, std::function<void(const GlFrame&)> done) 
       &hand_,
       [this, job, done = std::move(done)] {
         GlFrame frame;
-        try {
+        const QString failure = failure_of([&] {
           if (context_->makeCurrent(&surface_))
             frame = frames().draw(job);
           else
             frame.context_lost = true;
-        } catch (const Error& error) {
-          frame.failed = QString::fromUtf8(error.what());
-        }
+        });
+        if (!failure.isEmpty()) frame.failed = failure;
         QMetaObject::invokeMethod(
             this, [frame, done] { done(frame); }, Qt::QueuedConnection);
       },

@@ -66,7 +66,7 @@ void Overlay::paintEvent(QPaintEvent*) {
     const QPointF beside = mark.at + QPointF(13, -9);
     plate(painter, QRect(beside.toPoint(), QSize(120, 40)), Qt::AlignLeft | Qt::AlignTop, mark.name);
   }
-  // Of the pixels of a ball, sin^2 of an angle see the surface at less than that.
+  // A share of sin^2 of an angle of a ball's pixels shows its surface at less than that angle.
   if (content_.angle_zones)
     plate(painter, all, Qt::AlignLeft | Qt::AlignBottom,
           tr("0 to 45°: 50 % of a ball's pixels\n45 to 75° (blue): 43 %\n75 to 90° (orange): 7 %"));

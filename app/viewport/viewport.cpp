@@ -2,11 +2,11 @@
 #include "app/viewport/viewport.h"
 
 #include <QResizeEvent>
-#include <thread>
 
 #include "app/viewport/background.h"
 #include "app/viewport/viewport_private.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/render/glsl/glsl_text.h"
 
 namespace etak {
@@ -132,11 +132,7 @@ void Viewport::Private::open_display() {
       openers, &q,
       [config = state.ocio_config, name = state.ocio_display, view = state.ocio_view] {
         Opened out{{config, name, view, nullptr, nullptr, Tone::plain}, {}};
-        try {
-          out.display = etak::open_display(config, name, view);
-        } catch (const Error& error) {
-          out.failure = QString::fromUtf8(error.what());
-        }
+        out.failure = failure_of([&] { out.display = etak::open_display(config, name, view); });
         return out;
       },
       [this](const Opened& opened) {
@@ -168,8 +164,8 @@ QSize Viewport::Private::picture_size() const {
 
 void Viewport::set_state(const ViewState& state) {
   if (state == d_->state) return;
-  // What is under the cursor is told anew when the cursor moves; the difference to a side that is gone is not
-  // told until then.
+  // The readout names the colours under the cursor until the cursor moves: the difference to a side that is
+  // gone must not stay there.
   if (state.split != d_->state.split) d_->readout.clear();
   d_->state = state;
   d_->refusal.clear();
@@ -191,7 +187,7 @@ QImage Viewport::grab_picture(bool refined) {
       d_->display = etak::open_display(s.ocio_config, s.ocio_display, s.ocio_view, s.tone);
     }
     if (d_->gl != nullptr) return d_->gl->picture(state, d_->display, size);
-    return cpu_picture(state, d_->display, size, std::max(1u, std::thread::hardware_concurrency()));
+    return cpu_picture(state, d_->display, size, thread_count(0));
   } catch (const Error& error) {
     d_->refusal = QString::fromUtf8(error.what());
     d_->tell_message();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QThreadPool>
 #include <QTimer>
 
+#include "app/viewport/background.h"
 #include "app/viewport/cpu_view.h"
 #include "app/viewport/gl_view.h"
 #include "app/viewport/overlay.h"
@@ -14,8 +14,7 @@ namespace etak {
 
 class Viewport::Private {
  public:
-  explicit Private(Viewport& viewport) : q(viewport) { openers.setMaxThreadCount(1); }
-  ~Private() { openers.waitForDone(); }
+  explicit Private(Viewport& viewport) : q(viewport) {}
 
   Viewport& q;
   ViewState state;
@@ -41,7 +40,7 @@ class Viewport::Private {
   QPointF hover_at;
   QString readout;
   std::function<bool(const QStringList&)> can_take;
-  QThreadPool openers;  // the last member, so that its thread ends before the others are destroyed
+  Worker openers;  // the last member, so that its thread ends before the others are destroyed
 
   void use_gl();
   void use_cpu(const QString& why);

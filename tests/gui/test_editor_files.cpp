@@ -96,8 +96,11 @@ class EditorFiles : public QObject {
     Comparison compare = window->document().project().view.compare;
     QVERIFY(compare.on && compare.pinned && compare.pinned->name == "Gold");
     compare.model = "ggx-f82";
-    window->document().edit_compare(compare, QStringLiteral("model of B"));
-    window->document().edit_wedge({true, "gloss", 5}, QStringLiteral("wedge"), next_press_id());
+    window->document().change_view(QStringLiteral("model of B, wedge"), next_press_id(),
+                                   [&](ProjectView& view) {
+                                     view.compare = compare;
+                                     view.wedge = {true, "gloss", 5};
+                                   });
     const QString file = window.file(QStringLiteral("p.json"));
     QSignalSpy saved(window.window.get(), &Window::saved);
     window->save_to(file);
@@ -113,7 +116,8 @@ class EditorFiles : public QObject {
     QCOMPARE(other->viewport().state().b.label, std::string("B: Gold, GGX, F82, Smith height-correlated"));
     QVERIFY(other->viewport().state().shape == ViewShape::wedge);
     QCOMPARE(other->viewport().state().wedge_steps, 5);
-    other->document().edit_compare({}, QStringLiteral("compare"));
+    other->document().change_view(QStringLiteral("compare"), next_press_id(),
+                                  [](ProjectView& v) { v.compare = {}; });
     other->document().undo_stack().undo();
     QVERIFY(other->document().project().view.compare == compare);
   }

@@ -54,7 +54,9 @@ class EditorHands : public QObject {
   void the_wheel_over_fields_without_the_focus_edits_nothing() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
-    window->document().edit_wedge({true, "gloss", 5}, QStringLiteral("wedge"), next_press_id());
+    window->document().change_view(QStringLiteral("wedge"), next_press_id(), [](ProjectView& view) {
+      view.wedge = {true, "gloss", 5};
+    });
     show_active(window);
     const Project before = window->document().project();
     const int steps = steps_of(window);

@@ -43,9 +43,7 @@ class EditorWatch : public QObject {
   }
 
   void edit(const std::function<void(ProjectMaterial&)>& change) {
-    ProjectMaterial m = *w().document().material();
-    change(m);
-    w().document().edit(w().document().current(), m, QStringLiteral("edit"), next_press_id());
+    w().document().change_material(QStringLiteral("edit"), next_press_id(), change);
   }
 
   // Calls `act` and waits for its end, while the event loop is watched.
@@ -101,7 +99,9 @@ class EditorWatch : public QObject {
 
   void the_same_with_the_shaders_text_shown() {
     w().tabs().setCurrentWidget(w().tabs().findChild<QPlainTextEdit*>());
-    w().document().edit_compare({true, *w().document().material(), {}}, QStringLiteral("compare"));
+    w().document().change_view(QStringLiteral("compare"), next_press_id(), [this](ProjectView& view) {
+      view.compare = {true, *w().document().material(), {}};
+    });
     watch("models beside their text", [this] {
       for (const char* id : {"ggx-f82", "schueler-optimized-bounded", "cook-torrance", "ggx-schlick"}) {
         if (find_model(id) != nullptr) edit([&](ProjectMaterial& m) { m.specular_model = id; });
@@ -131,9 +131,8 @@ class EditorWatch : public QObject {
 
   void an_environment() {
     watch("environment", [this] {
-      ProjectView view = w().document().project().view;
-      view.lights.environment = "overcast";
-      w().document().edit_view(view, QStringLiteral("environment"), next_press_id());
+      w().document().change_view(QStringLiteral("environment"), next_press_id(),
+                                 [](ProjectView& view) { view.lights.environment = "overcast"; });
       QTest::qWait(50);
     });
   }

@@ -3,20 +3,17 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QTabWidget>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <QtMath>
 #include <cmath>
 
 #include "app/editor/curves/line_plot_widget.h"
 #include "app/editor/curves/polar_plot_widget.h"
+#include "app/editor/fields/add_button.h"
 #include "app/viewport/background.h"
-#include "core/base/error.h"
 #include "core/base/number.h"
 
 namespace etak::editor {
@@ -49,7 +46,6 @@ CurvesPanel::CurvesPanel(QWidget* parent)
       channel_(new QComboBox),
       scale_(new QComboBox),
       light_(new QDoubleSpinBox) {
-  pool_.setMaxThreadCount(1);
   tabs_->setAccessibleName(tr("Curves"));
   tabs_->setCornerWidget(beside_tabs_);
   channel_->addItems({tr("Red"), tr("Green"), tr("Blue"), tr("Luminance")});
@@ -58,7 +54,7 @@ CurvesPanel::CurvesPanel(QWidget* parent)
   light_->setRange(0, 89);
   light_->setValue(45);
   light_->setDecimals(0);
-  light_->setSuffix(QStringLiteral("°"));
+  light_->setSuffix("°");
 
   tabs_->addTab(with_controls(index_, {}), tr("n, k"));
   tabs_->addTab(with_controls(reflectance_, {}), tr("R(λ)"));
@@ -79,11 +75,6 @@ CurvesPanel::CurvesPanel(QWidget* parent)
     connect(plot, &PlotWidget::readout_changed, this, &CurvesPanel::readout_changed);
 }
 
-CurvesPanel::~CurvesPanel() {
-  pool_.clear();
-  pool_.waitForDone();
-}
-
 QWidget* CurvesPanel::with_controls(PlotWidget* plot, const std::vector<QWidget*>& controls) {
   auto* page = new QWidget;
   auto* layout = new QVBoxLayout(page);
@@ -96,26 +87,19 @@ QWidget* CurvesPanel::with_controls(PlotWidget* plot, const std::vector<QWidget*
   row->setSpacing(4);
   row->addStretch();
   for (QWidget* control : controls) row->addWidget(control);
-  const auto button = [&](const QString& text, const QString& name) {
-    auto* out = new QToolButton;
-    out->setText(text);
-    out->setToolTip(name);
-    out->setAccessibleName(name);
-    row->addWidget(out);
-    return out;
-  };
   if (plot != index_) {
     // One narrow button, since two with words would make the window wider than a small screen.
-    QToolButton* const kept = button(tr("+"), tr("Curves beside those of the next material"));
+    QToolButton* const kept = add_button(*row, tr("+"), tr("Curves beside those of the next material"));
     auto* menu = new QMenu(kept);
     menu->addAction(tr("&Keep these curves"), this, &CurvesPanel::keep);
     menu->addAction(tr("&Forget the kept curves"), this, &CurvesPanel::forget_kept);
     kept->setMenu(menu);
     kept->setPopupMode(QToolButton::InstantPopup);
   }
-  connect(button(tr("CSV"), tr("Copy the curves as CSV")), &QToolButton::clicked, plot,
+  connect(add_button(*row, tr("CSV"), tr("Copy the curves as CSV")), &QToolButton::clicked, plot,
           &PlotWidget::copy_csv);
-  connect(button(tr("SVG"), tr("Copy the plot as SVG")), &QToolButton::clicked, plot, &PlotWidget::copy_svg);
+  connect(add_button(*row, tr("SVG"), tr("Copy the plot as SVG")), &QToolButton::clicked, plot,
+          &PlotWidget::copy_svg);
   beside_tabs_->addWidget(own);
   return page;
 }
@@ -126,28 +110,29 @@ PlotWidget* CurvesPanel::current_plot() const {
 
 void CurvesPanel::set_material(const Material& material, const Dataset& dataset, const F0Options& options,
                                double gloss, const Model* model, const std::vector<double>& values) {
-  wanted_.name = material.name;
   wanted_.optics = dataset.optics;
   wanted_.options = options;
   wanted_.what = material.id + "/" + dataset.id;
-  wanted_.gloss = gloss;
-  wanted_.model = model;
-  wanted_.values = values;
-  ask();
+  want(material.name, gloss, model, values);
 }
 
 void CurvesPanel::set_surface(const QString& name, double gloss, const Model* model,
                               const std::vector<double>& values) {
-  wanted_.name = name.toStdString();
   wanted_.optics.reset();
   wanted_.what.clear();
+  want(name.toStdString(), gloss, model, values);
+}
+
+// ---- work
+
+void CurvesPanel::want(const std::string& name, double gloss, const Model* model,
+                       const std::vector<double>& values) {
+  wanted_.name = name;
   wanted_.gloss = gloss;
   wanted_.model = model;
   wanted_.values = values;
   ask();
 }
-
-// ---- work
 
 void CurvesPanel::ask() {
   wanted_.theta_l_deg = light_->value();
@@ -171,13 +156,12 @@ void CurvesPanel::start() {
 CurvesPanel::Result CurvesPanel::compute(const Request& request) {
   Result out;
   if (request.optics && !request.same_optics) {
-    try {
+    const QString refusal = failure_of([&] {
       out.optics = curves_of(*request.optics, request.options);
       out.angles = angle_curves(*request.optics, request.options, request.what);
       if (request.time_them) time_angle_curves(*out.angles);
-    } catch (const Error& error) {
-      out.refusal = error.what();
-    }
+    });
+    out.refusal = refusal.toStdString();
   }
   if (request.model != nullptr && request.values.size() == request.model->value_count())
     out.lobe = lobe_curve(*request.model, request.values, request.theta_l_deg);
@@ -231,13 +215,15 @@ void CurvesPanel::keep() {
   std::erase_if(kept_, [&](const Kept& each) { return each.request == shown_; });
   kept_.push_back({shown_, result_});
   if (kept_.size() > most_kept) kept_.erase(kept_.begin());
-  show_optics();
-  show_angles();
-  show_lobe();
+  show_all();
 }
 
 void CurvesPanel::forget_kept() {
   kept_.clear();
+  show_all();
+}
+
+void CurvesPanel::show_all() {
   show_optics();
   show_angles();
   show_lobe();
@@ -271,8 +257,7 @@ void CurvesPanel::show_optics() {
         result_.refusal.empty() ? "no measured data: pick a material of the library" : result_.refusal;
     return plot;
   };
-  index_->set_plot(result_.optics ? index_plot(shown_.name, *result_.optics) : nothing(": n and k"),
-                   QStringLiteral(" nm"));
+  index_->set_plot(result_.optics ? index_plot(shown_.name, *result_.optics) : nothing(": n and k"), " nm");
   const std::vector<ColorCurve> all = several([](const Request&, const Result& result) {
     ColorCurve out;
     if (!result.optics) return out;
@@ -285,7 +270,7 @@ void CurvesPanel::show_optics() {
                          : result_.optics
                              ? reflectance_plot(shown_.name, *result_.optics, shown_.options.viewing.observer)
                              : nothing(": reflectance"),
-                         QStringLiteral(" nm"));
+                         " nm");
 }
 
 void CurvesPanel::show_angles() {
@@ -300,9 +285,9 @@ void CurvesPanel::show_angles() {
     return out;
   });
   if (!kept_.empty() && !all.empty())
-    return angles_->set_plot(curves_plot(CurveKind::fresnel, all, channel, 0), QStringLiteral("°"));
+    return angles_->set_plot(curves_plot(CurveKind::fresnel, all, channel, 0), "°");
   if (result_.angles && !result_.angles->forms.empty()) {
-    angles_->set_plot(angle_plot(shown_.name, *result_.angles, channel[0]), QStringLiteral("°"));
+    angles_->set_plot(angle_plot(shown_.name, *result_.angles, channel[0]), "°");
     return;
   }
   LinePlot plot;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QThreadPool>
 #include <QWidget>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/viewport/background.h"
 #include "core/brdf/models.h"
 #include "core/material/f0.h"
 #include "core/material/material.h"
@@ -33,7 +33,6 @@ class CurvesPanel : public QWidget {
 
  public:
   explicit CurvesPanel(QWidget* parent = nullptr);
-  ~CurvesPanel() override;
 
   /// Shows a dataset of a material under `options`, and the lobe of a model.
   ///   gloss    is named in the title of the lobe
@@ -92,9 +91,11 @@ class CurvesPanel : public QWidget {
   template <class CurveOf>
   std::vector<ColorCurve> several(const CurveOf& curve_of) const;
 
+  void want(const std::string& name, double gloss, const Model* model, const std::vector<double>& values);
   void ask();
   void start();
   void take(const Request& request, Result result);
+  void show_all();
   void show_optics();
   void show_angles();
   void show_lobe();
@@ -113,7 +114,7 @@ class CurvesPanel : public QWidget {
   std::vector<std::pair<std::string, double>> form_ns_;  // measured once, because materials do not change it
   double exact_ns_ = 0;
   bool waiting_ = false, running_ = false, has_shown_ = false;
-  QThreadPool pool_;
+  Worker pool_;
 };
 
 }  // namespace etak::editor

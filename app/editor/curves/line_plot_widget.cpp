@@ -42,7 +42,7 @@ void LinePlotWidget::draw(QPainter& painter, const QRectF& area) {
   const double label = metrics.height() + 2;
   frame_ = area.adjusted(widest(plot_.left, metrics) + tick + gap + 8, label + metrics.height() / 2,
                          -(plot_.right ? widest(*plot_.right, metrics) + tick + gap + 8
-                                       : metrics.horizontalAdvance(QStringLiteral("800")) / 2 + 8),
+                                       : metrics.horizontalAdvance("800") / 2 + 8),
                          -(2 * label + tick + gap));
   draw_axes(painter, area);
   painter.save();

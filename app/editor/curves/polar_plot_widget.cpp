@@ -22,7 +22,7 @@ QPointF PolarPlotWidget::on_rim(double angle_deg, double share) const {
 void PolarPlotWidget::draw(QPainter& painter, const QRectF& area) {
   const QFontMetricsF metrics(painter.font());
   const double below = 2 * metrics.height() + 12, above = metrics.height() + 6;
-  const double beside = metrics.horizontalAdvance(QStringLiteral("90°")) + 14;
+  const double beside = metrics.horizontalAdvance("90°") + 14;
   rim_ = std::max(20.0, std::min(area.height() - below - above, area.width() / 2 - beside));
   centre_ = {area.center().x(),
              area.top() + above + std::max(rim_, (area.height() - below - above + rim_) / 2)};
@@ -47,7 +47,7 @@ void PolarPlotWidget::draw_grid(QPainter& painter) const {
   painter.setPen(QPen(ink_soft(), 1));
   painter.drawLine(on_rim(-90, 1), on_rim(90, 1));
   for (int angle = -90; angle <= 90; angle += 30) {
-    const QString text = QString::number(std::abs(angle)) + QStringLiteral("°");
+    const QString text = QString::number(std::abs(angle)) + "°";
     const double wide = metrics.horizontalAdvance(text);
     const QPointF at = on_rim(angle, 1) + 6 * (on_rim(angle, 1) - centre_) / rim_;
     painter.drawText(at + QPointF(angle < 0   ? -wide
@@ -88,8 +88,7 @@ QPointF PolarPlotWidget::place_of(const PlotCurve& /*curve*/, double x, double y
 }
 
 QString PolarPlotWidget::place_text(double at) const {
-  return qt_text(number(std::abs(at), 3)) + QStringLiteral("°") +
-         (at < 0 ? tr(" on the light's side") : QString());
+  return qt_text(number(std::abs(at), 3)) + "°" + (at < 0 ? tr(" on the light's side") : QString());
 }
 
 QLineF PolarPlotWidget::cursor_line(double at) const {

@@ -11,7 +11,6 @@
 #include <QUuid>
 
 #include "app/viewport/background.h"
-#include "core/base/error.h"
 #include "core/base/files/file.h"
 
 namespace etak::editor {
@@ -22,23 +21,21 @@ constexpr int delay_ms = 1000;
 // Writes a copy, which is two files: the project with absolute paths, and beside it the path of the project's
 // file.
 void write_copy(const Project& project, const QString& path, const QString& file) {
-  try {
-    write_file((file + QStringLiteral(".path")).toStdString(), path.toStdString(), true);
+  // A folder that cannot be written must not keep the user from working.
+  (void)failure_of([&] {
+    write_file((file + ".path").toStdString(), path.toStdString(), true);
     write_file(file.toStdString(), format_project(project, ""), true);
-  } catch (const Error&) {
-    // A folder that cannot be written must not keep the user from working.
-  }
+  });
 }
 
 }  // namespace
 
 Autosave::Autosave(Document& document, const QString& folder, QObject* parent)
-    : QObject(parent), document_(document), folder_(folder + QStringLiteral("/autosave")) {
+    : QObject(parent), document_(document), folder_(folder + "/autosave") {
   pool_.setMaxThreadCount(1);
   QDir().mkpath(folder_);
-  file_ = folder_ + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces) +
-          QStringLiteral(".json");
-  lock_ = std::make_unique<QLockFile>(file_ + QStringLiteral(".lock"));
+  file_ = folder_ + '/' + QUuid::createUuid().toString(QUuid::WithoutBraces) + ".json";
+  lock_ = std::make_unique<QLockFile>(file_ + ".lock");
   lock_->setStaleLockTime(0);
   lock_->tryLock(0);
   timer_.setSingleShot(true);
@@ -65,14 +62,13 @@ Autosave::~Autosave() {
 void Autosave::remove_stale() const {
   const QDir folder(folder_);
   for (const char* ending : {".lock", ".path"})
-    for (const QString& name :
-         folder.entryList({QStringLiteral("*.json") + QLatin1String(ending)}, QDir::Files)) {
+    for (const QString& name : folder.entryList({"*.json" + QLatin1String(ending)}, QDir::Files)) {
       const QString copy = folder.filePath(name).chopped(static_cast<qsizetype>(qstrlen(ending)));
       if (copy == file_ || QFile::exists(copy)) continue;
-      QLockFile lock(copy + QStringLiteral(".lock"));
+      QLockFile lock(copy + ".lock");
       lock.setStaleLockTime(0);
       if (!lock.tryLock(0)) continue;  // the run of this lock is still alive and has nothing to keep now
-      QFile::remove(copy + QStringLiteral(".path"));
+      QFile::remove(copy + ".path");
     }
 }
 
@@ -80,21 +76,18 @@ std::vector<Recovery> Autosave::left_behind() {
   remove_stale();
   std::vector<Recovery> out;
   const QDir folder(folder_);
-  for (const QString& name : folder.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Time)) {
+  for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Time)) {
     Recovery one{folder.filePath(name), {}, {}, 0};
     if (one.file == file_) continue;
-    QLockFile lock(one.file + QStringLiteral(".lock"));
+    QLockFile lock(one.file + ".lock");
     lock.setStaleLockTime(0);
     if (!lock.tryLock(0)) continue;  // the run of this copy is still alive
-    QFile path(one.file + QStringLiteral(".path"));
+    QFile path(one.file + ".path");
     if (path.open(QIODevice::ReadOnly)) one.path = QString::fromUtf8(path.readAll());
     one.when = QFileInfo(one.file).lastModified();
     if (QFile copy(one.file); copy.open(QIODevice::ReadOnly))
-      one.materials = static_cast<int>(QJsonDocument::fromJson(copy.readAll())
-                                           .object()
-                                           .value(QLatin1String("materials"))
-                                           .toArray()
-                                           .size());
+      one.materials = static_cast<int>(
+          QJsonDocument::fromJson(copy.readAll()).object().value("materials").toArray().size());
     out.push_back(one);
   }
   return out;

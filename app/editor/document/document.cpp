@@ -4,12 +4,55 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "app/editor/document/commands.h"
 #include "app/editor/fields/press_id.h"
 #include "core/base/error.h"
 #include "core/base/text/free_names.h"
 
 namespace etak::editor {
+namespace {
+
+// A step of undo that two functions make.
+class Step : public QUndoCommand {
+ public:
+  Step(const QString& what, std::function<void()> redo, std::function<void()> undo)
+      : QUndoCommand(what), redo_(std::move(redo)), undo_(std::move(undo)) {}
+  void redo() override { redo_(); }
+  void undo() override { undo_(); }
+
+ private:
+  std::function<void()> redo_, undo_;
+};
+
+// A change of one value. Changes of the same value with the same press id and text are merged into one.
+template <class Value>
+class Edit : public QUndoCommand {
+ public:
+  ///   place   tells which of several values it is
+  Edit(const QString& what, Value before, Value after, std::function<void(const Value&)> put,
+       std::pair<int, int> place_and_press)
+      : QUndoCommand(what),
+        before_(std::move(before)),
+        after_(std::move(after)),
+        put_(std::move(put)),
+        place_and_press_(place_and_press) {}
+  void redo() override { put_(after_); }
+  void undo() override { put_(before_); }
+  int id() const override { return std::is_same_v<Value, ProjectView> ? 1 : 2; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const Edit*>(other);
+    if (next->place_and_press_ != place_and_press_ || next->text() != text()) return false;
+    after_ = next->after_;
+    if (after_ == before_) setObsolete(true);
+    return true;
+  }
+
+ private:
+  Value before_, after_;
+  std::function<void(const Value&)> put_;
+  std::pair<int, int> place_and_press_;
+};
+
+}  // namespace
 
 Document::Document(std::shared_ptr<const MaterialLibrary> library, QObject* parent)
     : QObject(parent), builtin_(std::move(library)), all_(builtin_) {
@@ -56,24 +99,33 @@ SurfaceValues Document::surface_of(const ProjectMaterial& material, QString* pro
 
 void Document::edit(int index, const ProjectMaterial& to, const QString& what, int press_id) {
   if (index < 0 || to == project_.materials[static_cast<std::size_t>(index)]) return;
-  undo_.push(new EditMaterial(*this, index, to, what, press_id));
+  const auto put_here = [this, index](const ProjectMaterial& material) {
+    put(index, material);
+    set_current(index);
+  };
+  const ProjectMaterial& now = project_.materials[static_cast<std::size_t>(index)];
+  undo_.push(new Edit<ProjectMaterial>(what, now, to, put_here, {index, press_id}));
 }
 
 void Document::edit_view(const ProjectView& to, const QString& what, int press_id) {
   if (to == project_.view) return;
-  undo_.push(new EditView(*this, to, what, press_id));
+  const auto put_it = [this](const ProjectView& view) { put_view(view); };
+  undo_.push(new Edit<ProjectView>(what, project_.view, to, put_it, {0, press_id}));
 }
 
-void Document::edit_compare(const Comparison& to, const QString& what) {
-  ProjectView view = project_.view;
-  view.compare = to;
-  edit_view(view, what, next_press_id());
+void Document::change_material(const QString& what, int press_id,
+                               const std::function<void(ProjectMaterial&)>& change) {
+  if (material() == nullptr) return;
+  ProjectMaterial next = *material();
+  change(next);
+  edit(current_, next, what, press_id);
 }
 
-void Document::edit_wedge(const Wedge& to, const QString& what, int press_id) {
-  ProjectView view = project_.view;
-  view.wedge = to;
-  edit_view(view, what, press_id);
+void Document::change_view(const QString& what, int press_id,
+                           const std::function<void(ProjectView&)>& change) {
+  ProjectView next = project_.view;
+  change(next);
+  edit_view(next, what, press_id);
 }
 
 void Document::add(std::vector<ProjectMaterial> materials, const std::vector<Material>& spectra,
@@ -94,14 +146,36 @@ void Document::add(std::vector<ProjectMaterial> materials, const std::vector<Mat
     else
       *same = each;
   }
-  undo_.push(new AddMaterials(*this, std::move(materials), std::move(all), what));
+  const int first = static_cast<int>(project_.materials.size());
+  undo_.push(new Step(
+      what,
+      [this, first, materials, all] {
+        if (project_.spectra != all) set_spectra(all);
+        insert(first, materials);
+        set_current(first);
+      },
+      [this, first, count = static_cast<int>(materials.size()), before = project_.spectra, at = current_] {
+        take_out(first, count);
+        if (project_.spectra != before) set_spectra(before);
+        set_current(at);
+      }));
 }
 
 void Document::remove(int index) {
   if (index < 0 || index >= static_cast<int>(project_.materials.size())) return;
-  undo_.push(new RemoveMaterial(
-      *this, index,
-      tr("remove %1").arg(QString::fromStdString(project_.materials[static_cast<std::size_t>(index)].name))));
+  const ProjectMaterial material = project_.materials[static_cast<std::size_t>(index)];
+  undo_.push(new Step(
+      tr("remove %1").arg(QString::fromStdString(material.name)), [this, index] { take_out(index, 1); },
+      [this, index, material] {
+        insert(index, {material});
+        set_current(index);
+      }));
+}
+
+void Document::rename(int index, const std::string& name) {
+  ProjectMaterial next = project_.materials[static_cast<std::size_t>(index)];
+  next.name = free_name(project_, name);
+  edit(index, next, tr("rename"), next_press_id());
 }
 
 void Document::replace(Project project, const QString& path, bool saved) {

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -35,14 +36,19 @@ class Document : public QObject {
   SurfaceValues surface_of(const ProjectMaterial& material, QString* problem = nullptr) const;
 
   // Changes.
+  ///   what   what the step of undo is called
   void edit(int index, const ProjectMaterial& to, const QString& what, int press_id);
   void edit_view(const ProjectView& to, const QString& what, int press_id);
-  void edit_compare(const Comparison& to, const QString& what);
-  void edit_wedge(const Wedge& to, const QString& what, int press_id);
+  /// Changes the current material, where there is one, and the view.
+  void change_material(const QString& what, int press_id,
+                       const std::function<void(ProjectMaterial&)>& change);
+  void change_view(const QString& what, int press_id, const std::function<void(ProjectView&)>& change);
   /// Adds materials behind the others, with unique names, and makes the first of them the current material.
   ///   spectra   measured records for the project's own library
   void add(std::vector<ProjectMaterial> materials, const std::vector<Material>& spectra, const QString& what);
   void remove(int index);
+  /// Gives a material a name, with a number where another has it.
+  void rename(int index, const std::string& name);
 
   /// Opens another project and empties the undo stack.
   ///   saved   false: the project was recovered and differs from its file
@@ -75,10 +81,6 @@ class Document : public QObject {
   void saved_changed();
 
  private:
-  friend class EditMaterial;
-  friend class EditView;
-  friend class AddMaterials;
-  friend class RemoveMaterial;
   void put(int index, const ProjectMaterial& material);
   void put_view(const ProjectView& view);
   void insert(int index, const std::vector<ProjectMaterial>& materials);

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
@@ -20,11 +21,11 @@ namespace etak::editor {
 namespace {
 
 QString patterns(const QStringList& endings) {
-  return QStringLiteral("*.") + endings.join(QStringLiteral(" *."));
+  return "*." + endings.join(" *.");
 }
 
 QString listed_endings(const QStringList& endings) {
-  return QStringLiteral(".") + endings.join(QStringLiteral(", ."));
+  return "." + endings.join(", .");
 }
 
 QStringList texts(std::span<const std::string_view> endings) {
@@ -57,7 +58,7 @@ class MadeIds {
   FreeNames ids_;
 };
 
-// What a text holds that is no project and no material, told by its first bytes; null where it may be one.
+// The kind of a text that is no project and no material, by its first bytes; null where it may be one.
 const char* told_by_content(std::string_view text) {
   switch (content_kind(text)) {
     case ContentKind::gltf:
@@ -82,6 +83,10 @@ Material material_in(const std::string& text, const std::string& file) {
     if (other != nullptr) throw Error::at(file, other, "a project or a material (.json)");
     throw;
   }
+}
+
+QString file_failure(const QString& path, const std::function<void()>& work) {
+  return failure_of(work, path + ": not enough memory");
 }
 
 void note(Opened& out, const std::vector<std::string>& problems) {
@@ -139,19 +144,16 @@ bool is_pipe(const QString& path) {
 }
 
 bool holds_project(const QString& path) {
-  if (!path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) return false;
-  try {
-    return is_project(read_file(path.toStdString()));
-  } catch (const Error&) {
-    return false;  // the function that opens the file reports the reason
-  } catch (const std::bad_alloc&) {
-    return false;
-  }
+  bool out = false;
+  // The function that opens the file reports why it cannot be read.
+  if (path.endsWith(".json", Qt::CaseInsensitive))
+    (void)failure_of([&] { out = is_project(read_file(path.toStdString())); });
+  return out;
 }
 
 Opened open_project(const QString& path, const MaterialLibrary& library) {
   Opened out;
-  try {
+  out.error = file_failure(path, [&] {
     const std::string file = path.toStdString();
     const std::string text = read_file(file);
     if (!is_project(text)) {
@@ -163,61 +165,43 @@ Opened open_project(const QString& path, const MaterialLibrary& library) {
       out.project = parse_project(text, file);
     }
     note(out, resolve(out.project, library));
-  } catch (const Error& error) {
-    out.error = QString::fromUtf8(error.what());
-  } catch (const std::bad_alloc&) {
-    out.error = path + QStringLiteral(": not enough memory");
-  }
+  });
   return out;
 }
 
 Opened import_files(const QStringList& paths, const MaterialLibrary& library) {
   Opened out;
   MadeIds ids(library);
-  for (const QString& path : paths) {
-    try {
-      const MaterialFileKind kind = kind_of_spectra(path);
-      if (kind == MaterialFileKind::none) {
-        out.problems << path + QStringLiteral(": ") + expected_files();
-        continue;
-      }
-      if (kind == MaterialFileKind::material) {
-        Opened one = open_project(path, library);
-        if (!one.error.isEmpty()) {
-          out.problems << one.error;
-          continue;
-        }
-        out.problems << one.problems;
-        for (Material& each : one.project.spectra) out.project.spectra.push_back(std::move(each));
-        for (ProjectMaterial& each : one.project.materials) out.project.materials.push_back(std::move(each));
-        continue;
-      }
-      Project one;
-      one.spectra.push_back(read_material_file(path.toStdString(), kind));
-      ids.give(one.spectra.front());
-      one.materials.push_back(material_of(one.spectra.front()));
-      note(out, resolve(one, library));
-      if (!one.materials.front().measured) continue;
-      out.project.spectra.push_back(std::move(one.spectra.front()));
-      out.project.materials.push_back(std::move(one.materials.front()));
-    } catch (const Error& error) {
-      out.problems << QString::fromUtf8(error.what());
+  const auto take = [&](Project& one) {
+    for (Material& each : one.spectra) out.project.spectra.push_back(std::move(each));
+    for (ProjectMaterial& each : one.materials) out.project.materials.push_back(std::move(each));
+  };
+  const auto import = [&](const QString& path) {
+    const MaterialFileKind kind = kind_of_spectra(path);
+    if (kind == MaterialFileKind::none) throw Error((path + ": " + expected_files()).toStdString());
+    if (kind == MaterialFileKind::material) {
+      Opened one = open_project(path, library);
+      if (!one.error.isEmpty()) throw Error(one.error.toStdString());
+      out.problems << one.problems;
+      return take(one.project);
     }
-  }
-  if (out.project.materials.empty() && !out.problems.isEmpty())
-    out.error = out.problems.join(QLatin1Char('\n'));
+    Project one;
+    one.spectra.push_back(read_material_file(path.toStdString(), kind));
+    ids.give(one.spectra.front());
+    one.materials.push_back(material_of(one.spectra.front()));
+    note(out, resolve(one, library));
+    if (one.materials.front().measured) take(one);
+  };
+  for (const QString& path : paths)
+    if (const QString failure = file_failure(path, [&] { import(path); }); !failure.isEmpty())
+      out.problems << failure;
+  if (out.project.materials.empty()) out.error = out.problems.join('\n');
   return out;
 }
 
 QString save_project(const Project& project, const QString& path) {
-  try {
-    write_file(path.toStdString(), format_project(project, path.toStdString()), true);
-    return {};
-  } catch (const Error& error) {
-    return QString::fromUtf8(error.what());
-  } catch (const std::bad_alloc&) {
-    return path + QStringLiteral(": not enough memory");
-  }
+  return file_failure(
+      path, [&] { write_file(path.toStdString(), format_project(project, path.toStdString()), true); });
 }
 
 QString save_png(const QImage& picture, const QString& path) {
@@ -225,12 +209,7 @@ QString save_png(const QImage& picture, const QString& path) {
   QBuffer buffer(&bytes);
   if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
     return QObject::tr("%1: the picture could not be encoded").arg(path);
-  try {
-    write_file(path.toStdString(), bytes.toStdString(), true);
-    return {};
-  } catch (const Error& error) {
-    return QString::fromUtf8(error.what());
-  }
+  return file_failure(path, [&] { write_file(path.toStdString(), bytes.toStdString(), true); });
 }
 
 QString data_folder() {

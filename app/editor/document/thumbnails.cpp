@@ -6,6 +6,7 @@
 
 #include "app/editor/document/files.h"
 #include "app/viewport/background.h"
+#include "app/viewport/qt_picture.h"
 #include "core/base/error.h"
 #include "core/brdf/models.h"
 #include "core/render/cpu_renderer.h"
@@ -31,10 +32,7 @@ QImage drawn(const SurfaceValues& surface, Shape shape, int side) {
   scene.diffuse_values = model_values(*scene.diffuse, surface, {});
   Image8 codes;
   render_cpu_codes(scene, environment.get(), 1, codes);
-  QImage out(side, side, QImage::Format_RGB888);
-  for (int y = 0; y < side; ++y)
-    std::copy_n(codes.at(0, y).data(), std::size_t{3} * codes.width, out.scanLine(y));
-  return out;
+  return qt_image(codes);
 }
 
 QImage thumbnail(const Thumbnails::Subject& subject, Shape shape, int side, const QString& folder) {
@@ -46,7 +44,7 @@ QImage thumbnail(const Thumbnails::Subject& subject, Shape shape, int side, cons
       file = folder + QStringLiteral("/%1-%2%3.png")
                           .arg(QString::fromLatin1(hash.result().toHex()))
                           .arg(side)
-                          .arg(shape == Shape::quad ? QStringLiteral("f") : QString());
+                          .arg(shape == Shape::quad ? "f" : QString());
       if (QImage kept(file); !kept.isNull() && kept.width() == side) return kept;
     }
     const QImage out = drawn(subject.surface(), shape, side);
@@ -61,20 +59,16 @@ QImage thumbnail(const Thumbnails::Subject& subject, Shape shape, int side, cons
 }
 
 QString picture_key(const QString& key, Shape shape) {
-  return key + (shape == Shape::quad ? QStringLiteral("|flat") : QStringLiteral("|sphere"));
+  return key + (shape == Shape::quad ? "|flat" : "|sphere");
 }
 
 }  // namespace
 
 Thumbnails::Thumbnails(const QString& folder, QObject* parent)
-    : QObject(parent), folder_(folder), pictures_(most_pictures) {
-  pool_.setMaxThreadCount(std::max(1, QThread::idealThreadCount() - 1));
-}
-
-Thumbnails::~Thumbnails() {
-  pool_.clear();
-  pool_.waitForDone();
-}
+    : QObject(parent),
+      folder_(folder),
+      pictures_(most_pictures),
+      pool_(std::max(1, QThread::idealThreadCount() - 1)) {}
 
 QPixmap Thumbnails::get(const QString& key, Shape shape, int side, double ratio,
                         const std::function<Subject()>& subject) {
@@ -90,21 +84,13 @@ QPixmap Thumbnails::get(const QString& key, Shape shape, int side, double ratio,
         return thumbnail(subject, shape, pixels, folder);
       },
       [this, whole, key, ratio](const QImage& image) {
-        // After a call of forget(), the picture is of an older state of the material and is not used.
-        if (!waiting_.remove(whole)) return;
+        waiting_.remove(whole);
         auto* pixmap = new QPixmap(QPixmap::fromImage(image));
         pixmap->setDevicePixelRatio(ratio);
         pictures_.insert(whole, pixmap);
         emit ready(key);
       });
   return {};
-}
-
-void Thumbnails::forget(const QString& key) {
-  for (const Shape shape : {Shape::sphere, Shape::quad}) {
-    pictures_.remove(picture_key(key, shape));
-    waiting_.remove(picture_key(key, shape));
-  }
 }
 
 }  // namespace etak::editor

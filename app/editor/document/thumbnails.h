@@ -6,9 +6,9 @@
 #include <QObject>
 #include <QPixmap>
 #include <QSet>
-#include <QThreadPool>
 #include <functional>
 
+#include "app/viewport/background.h"
 #include "core/render/scene.h"
 
 namespace etak::editor {
@@ -28,14 +28,12 @@ class Thumbnails : public QObject {
 
   ///   folder   folder of the files; empty: none are kept
   Thumbnails(const QString& folder, QObject* parent = nullptr);
-  ~Thumbnails() override;
 
   /// The picture, if it is there. Otherwise an empty one: the work is then begun, and ready() is emitted at
   /// its end.
   ///   key   identifies the material, without shape and size
   QPixmap get(const QString& key, Shape shape, int side, double ratio,
               const std::function<Subject()>& subject);
-  void forget(const QString& key);
   bool is_idle() const { return waiting_.isEmpty(); }
 
  signals:
@@ -45,7 +43,7 @@ class Thumbnails : public QObject {
   QString folder_;
   QCache<QString, QPixmap> pictures_;
   QSet<QString> waiting_;
-  QThreadPool pool_;
+  Worker pool_;
 };
 
 }  // namespace etak::editor

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/document/validator.h"
 
-#include <atomic>
-
 #include "app/viewport/background.h"
 #include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
@@ -19,7 +17,6 @@ constexpr std::size_t most_texels = std::size_t{64} << 20;
 
 Validator::Validator(Document& document, QObject* parent)
     : QObject(parent), document_(document), kept_(std::make_shared<KeptPictures>()) {
-  pool_.setMaxThreadCount(1);
   timer_.setSingleShot(true);
   timer_.setInterval(check_delay_ms);
   connect(&timer_, &QTimer::timeout, this, &Validator::begin);
@@ -37,12 +34,6 @@ Validator::Validator(Document& document, QObject* parent)
     emit findings_changed();
     check_all();
   });
-}
-
-Validator::~Validator() {
-  stop_ = true;
-  pool_.clear();
-  pool_.waitForDone();
 }
 
 void Validator::check_all() {
@@ -66,11 +57,7 @@ void Validator::begin() {
     if (batch.size() == most_at_once) break;
     if (dirty_.erase(each.name) != 0) batch.push_back(each);
   }
-  if (batch.empty()) {
-    dirty_.clear();
-    emit idle();
-    return;
-  }
+  if (batch.empty()) return dirty_.clear();
   running_ = true;
   in_background(
       pool_, this,

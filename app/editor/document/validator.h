@@ -2,12 +2,13 @@
 #pragma once
 
 #include <QObject>
-#include <QThreadPool>
 #include <QTimer>
+#include <atomic>
 #include <map>
 #include <set>
 
 #include "app/editor/document/document.h"
+#include "app/viewport/background.h"
 #include "core/judge/finding.h"
 
 namespace etak {
@@ -24,7 +25,7 @@ class Validator : public QObject {
 
  public:
   explicit Validator(Document& document, QObject* parent = nullptr);
-  ~Validator() override;
+  ~Validator() override { stop_ = true; }
 
   /// Findings by the name of the material; materials without findings are left out.
   const std::map<std::string, std::vector<Finding>>& findings() const { return findings_; }
@@ -33,7 +34,6 @@ class Validator : public QObject {
 
  signals:
   void findings_changed();
-  void idle();
 
  private:
   void begin();
@@ -44,9 +44,9 @@ class Validator : public QObject {
   std::set<std::string> dirty_;
   std::shared_ptr<KeptPictures> kept_;
   QTimer timer_;
-  QThreadPool pool_;
   std::atomic<bool> stop_{false};
   bool running_ = false;
+  Worker pool_;  // the last member, because its thread looks at stop_
 };
 
 }  // namespace etak::editor

@@ -3,17 +3,14 @@
 
 #include <QColorDialog>
 #include <QGridLayout>
-#include <QHBoxLayout>
-#include <QIcon>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPainter>
-#include <QPixmap>
 #include <QSignalBlocker>
-#include <QToolButton>
 
+#include "app/editor/fields/add_button.h"
 #include "app/editor/fields/eyedropper.h"
 #include "app/editor/fields/number_field.h"
+#include "app/viewport/qt_picture.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/color/gamut.h"
@@ -35,13 +32,6 @@ double& part(LinearRgb& color, std::size_t c) {
 LinearRgb linear_of(const QColor& color) {
   return srgb_decode(Srgb8{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
                            static_cast<std::uint8_t>(color.blue())});
-}
-
-QPixmap swatch_of(const Srgb8& codes, const QSize& size, double ratio) {
-  QPixmap out(size * ratio);
-  out.setDevicePixelRatio(ratio);
-  out.fill(QColor(codes.r, codes.g, codes.b));
-  return out;
 }
 
 }  // namespace
@@ -77,27 +67,19 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
     codes_[c]->setRange(0, 255);
   }
   auto* line = new QHBoxLayout;
+  grid->addLayout(line, 2, 1, 1, 4);
   line->setSpacing(4);
   hex_ = new QLineEdit(this);
   hex_->setMaxLength(9);
   hex_->setAccessibleName(tr("%1, hexadecimal").arg(name));
   hex_->setToolTip(tr("%1 as a code of 8-bit sRGB: #RRGGBB").arg(name));
-  hex_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("#wwwwww")) + 16);
+  hex_->setFixedWidth(fontMetrics().horizontalAdvance("#wwwwww") + 16);
   line->addWidget(hex_);
-  const auto button = [&](const QString& label, const QString& accessible, const QString& tip) {
-    auto* out = new QToolButton(this);
-    out->setText(label);
-    out->setToolTip(tip);
-    out->setAccessibleName(accessible);
-    line->addWidget(out);
-    return out;
-  };
-  dropper_ = button(tr("Pick"), tr("%1, eyedropper").arg(name),
-                    tr("Take a colour from anywhere on the screen (Esc: none)"));
-  reset_ = button(QStringLiteral("\u21ba"), tr("Reset %1").arg(name), tr("Reset %1").arg(name));
+  dropper_ = add_button(*line, tr("Pick"), tr("Take a colour from anywhere on the screen (Esc: none)"),
+                        tr("%1, eyedropper").arg(name));
+  reset_ = add_button(*line, "\u21ba", tr("Reset %1").arg(name));
   reset_->setAutoRaise(true);
   line->addStretch(1);
-  grid->addLayout(line, 2, 1, 1, 4);
   make_badge();
   grid->addWidget(outside_, 3, 0, 1, 5);
   for (int c = 2; c < 5; ++c) grid->setColumnStretch(c, 1);
@@ -141,8 +123,7 @@ void ColorField::connect_parts() {
     });
   });
   connect(swatch_, &QToolButton::clicked, this, [this] {
-    const Srgb8 codes = srgb_u8(color_);
-    auto* dialog = new QColorDialog(QColor(codes.r, codes.g, codes.b), this);
+    auto* dialog = new QColorDialog(qt_color(srgb_u8(color_)), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setOption(QColorDialog::DontUseNativeDialog);
     dialog->setWindowTitle(name_);
@@ -169,11 +150,9 @@ void ColorField::make_badge() {
       tr("8-bit sRGB holds linear 0 to 1: the codes above are clipped, the linear numbers are not"));
   line->addWidget(badge_, 1);
   const auto way = [&](const QString& text, const QString& what, Fit fit) {
-    auto* out = new QToolButton(outside_);
-    out->setText(text);
-    out->setAccessibleName(tr("%1: %2").arg(name_, what));
-    out->setToolTip(tr("%1 (the colour is then a typed one; undo brings it back)").arg(what));
-    line->addWidget(out);
+    auto* out =
+        add_button(*line, text, tr("%1 (the colour is then a typed one; undo brings it back)").arg(what),
+                   tr("%1: %2").arg(name_, what));
     connect(out, &QToolButton::clicked, this, [this, fit] {
       Changes changes;
       take(fitted(color_, fit, 1, RgbSpace::srgb, {}, {}, changes), next_press_id());
@@ -209,18 +188,17 @@ void ColorField::show_all() {
     codes_[c]->show_value(numbers[c]);
   }
   hex_->setText(QString::fromStdString(hex(codes)));
-  // The icon of a disabled field is set as well, because the style would make it grey.
-  const QPixmap swatch = swatch_of(codes, swatch_->iconSize(), devicePixelRatioF());
-  QIcon icon(swatch);
-  icon.addPixmap(swatch, QIcon::Disabled);
-  swatch_->setIcon(icon);
+  QPixmap swatch(swatch_->iconSize() * devicePixelRatioF());
+  swatch.setDevicePixelRatio(devicePixelRatioF());
+  swatch.fill(qt_color(codes));
+  swatch_->setIcon(untinted_icon(swatch));
   const std::string outside = gamut_text(color_);
   outside_->setVisible(!outside.empty());
   if (!outside.empty()) {
     // Blanks that do not break keep a channel and its number on the same line.
-    QStringList channels = QString::fromStdString(outside).split(QStringLiteral(", "));
-    channels.replaceInStrings(QStringLiteral(" "), QString(QChar(QChar::Nbsp)));
-    badge_->setText(tr("outside sRGB: %1").arg(channels.join(QStringLiteral(", "))));
+    QStringList channels = QString::fromStdString(outside).split(", ");
+    channels.replaceInStrings(" ", QString(QChar(QChar::Nbsp)));
+    badge_->setText(tr("outside sRGB: %1").arg(channels.join(", ")));
   }
   showing_ = false;
 }

@@ -8,11 +8,11 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QStyleOptionSlider>
-#include <QToolButton>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/fields/add_button.h"
 #include "core/base/number.h"
 
 namespace etak::editor {
@@ -48,8 +48,7 @@ double FineSpinBox::valueFromText(const QString& text) const {
 
 QSize FineSpinBox::minimumSizeHint() const {
   QSize size = QDoubleSpinBox::minimumSizeHint();
-  size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0.00000")) +
-                (buttonSymbols() == NoButtons ? 10 : 28));
+  size.setWidth(fontMetrics().horizontalAdvance("-0.00000") + (buttonSymbols() == NoButtons ? 10 : 28));
   return size;
 }
 
@@ -91,17 +90,6 @@ void FineSpinBox::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-QuietSpinBox::QuietSpinBox(QWidget* parent) : QSpinBox(parent) {
-  setFocusPolicy(Qt::StrongFocus);
-}
-
-void QuietSpinBox::wheelEvent(QWheelEvent* event) {
-  if (hasFocus())
-    QSpinBox::wheelEvent(event);
-  else
-    event->ignore();
-}
-
 FieldSlider::FieldSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
   setFocusPolicy(Qt::StrongFocus);
   connect(this, &QSlider::sliderPressed, this, [this] {
@@ -141,30 +129,24 @@ void FieldSlider::keyPressEvent(QKeyEvent* event) {
   press_ = 0;
 }
 
-NumberField::NumberField(const QString& name, double least, double most, double standard, QWidget* parent)
+NumberField::NumberField(const QString& name, const FieldRange& range, QWidget* parent)
     : QWidget(parent),
-      least_(least),
-      most_(most),
-      standard_(standard),
-      by_ratio_(least > 0 && most / least >= 1000),
+      range_(range),
+      by_ratio_(range.least > 0 && range.most / range.least >= 1000),
       slider_(new FieldSlider(this)),
       box_(new FineSpinBox(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
-  auto* reset = new QToolButton(this);
-  reset->setText(QStringLiteral("\u21ba"));
-  reset->setAutoRaise(true);
-  reset->setToolTip(tr("Reset %1").arg(name));
-  reset->setAccessibleName(tr("Reset %1").arg(name));
   row->addWidget(slider_, 1);
   row->addWidget(box_);
-  row->addWidget(reset);
+  auto* reset = add_button(*row, "\u21ba", tr("Reset %1").arg(name));
+  reset->setAutoRaise(true);
   slider_->setRange(0, slider_steps);
   slider_->setMinimumWidth(50);
   slider_->setAccessibleName(tr("%1, slider").arg(name));
-  box_->setRange(least, most);
-  box_->setSingleStep(by_ratio_ ? standard / 20 : (most - least) / 100);
+  box_->setRange(range.typed_least, range.typed_most);
+  box_->setSingleStep(by_ratio_ ? range.standard / 20 : (range.most - range.least) / 100);
   box_->setAccessibleName(name);
   setAccessibleName(tr("%1, field").arg(name));
   connect(slider_, &FieldSlider::edited, this, [this](int position, int press_id) {
@@ -179,11 +161,11 @@ NumberField::NumberField(const QString& name, double least, double most, double 
   });
   connect(reset, &QToolButton::clicked, this, [this] {
     emit reset_asked();
-    if (!own_reset_ || value() == standard_) return;
-    show_value(standard_);
-    emit edited(standard_, next_press_id());
+    if (!own_reset_ || value() == range_.standard) return;
+    show_value(range_.standard);
+    emit edited(range_.standard, next_press_id());
   });
-  show_value(standard);
+  show_value(range.standard);
 }
 
 double NumberField::value() const {
@@ -197,18 +179,17 @@ void NumberField::show_value(double value) {
 }
 
 double NumberField::of_slider(int position) const {
+  const double least = range_.least, most = range_.most;
   const double share = static_cast<double>(position) / slider_steps;
-  const double value =
-      by_ratio_ ? least_ * std::pow(most_ / least_, share) : least_ + share * (most_ - least_);
+  if (by_ratio_) return least * std::pow(most / least, share);
   // The slider gives three decimals, because the hand is no more precise.
-  const double rounded = std::round(value * 1000) / 1000;
-  return by_ratio_ ? value : std::clamp(rounded, least_, most_);
+  return std::clamp(std::round((least + share * (most - least)) * 1000) / 1000, least, most);
 }
 
 int NumberField::to_slider(double value) const {
-  const double inside = std::clamp(value, least_, most_);
+  const double least = range_.least, most = range_.most, inside = std::clamp(value, least, most);
   const double share =
-      by_ratio_ ? std::log(inside / least_) / std::log(most_ / least_) : (inside - least_) / (most_ - least_);
+      by_ratio_ ? std::log(inside / least) / std::log(most / least) : (inside - least) / (most - least);
   return static_cast<int>(std::lround(share * slider_steps));
 }
 

@@ -3,7 +3,6 @@
 
 #include <QDoubleSpinBox>
 #include <QSlider>
-#include <QSpinBox>
 #include <QWidget>
 
 #include "app/editor/fields/press_id.h"
@@ -42,17 +41,6 @@ class FineSpinBox : public QDoubleSpinBox {
   bool showing_ = false;
 };
 
-/// A spin box for whole numbers that lets the wheel scroll the page around it, unless it has the focus.
-class QuietSpinBox : public QSpinBox {
-  Q_OBJECT
-
- public:
-  explicit QuietSpinBox(QWidget* parent = nullptr);
-
- protected:
-  void wheelEvent(QWheelEvent* event) override;
-};
-
 /// A slider that jumps to where its groove is clicked. Without the focus it leaves the wheel to the page
 /// around it. All edits of a drag have the same press id; so have steps of wheel or keys that follow each
 /// other closely.
@@ -75,14 +63,20 @@ class FieldSlider : public QSlider {
   int press_ = 0;
 };
 
+/// The numbers of a field.
+struct FieldRange {
+  double least, most, standard;                   // ends of the slider, and what the button resets to
+  double typed_least = least, typed_most = most;  // of what can be typed
+};
+
 /// A field for one parameter: a slider, a number and a button to reset it.
 class NumberField : public QWidget {
   Q_OBJECT
 
  public:
-  /// The slider runs from `least` to `most`: in equal ratios where `least` is above 0 and `most` is at least
-  /// a thousand times as large, else in equal steps.
-  NumberField(const QString& name, double least, double most, double standard, QWidget* parent = nullptr);
+  /// The slider runs in equal ratios where its least is above 0 and its most at least a thousand times as large,
+  /// else in equal steps.
+  NumberField(const QString& name, const FieldRange& range, QWidget* parent = nullptr);
 
   double value() const;
   void show_value(double value);
@@ -100,7 +94,7 @@ class NumberField : public QWidget {
   double of_slider(int position) const;
   int to_slider(double value) const;
 
-  double least_, most_, standard_;
+  FieldRange range_;
   bool by_ratio_, own_reset_ = true;
   FieldSlider* slider_;
   FineSpinBox* box_;

@@ -11,7 +11,7 @@ QString data_sentences(Flags flags, const std::string& doubt) {
   QString out;
   const auto add = [&](QString text) {
     text[0] = text[0].toUpper();
-    out += QLatin1Char('\n') + text + QLatin1Char('.');
+    out += '\n' + text + '.';
   };
   flags.for_each([&](Flag flag) {
     if (flag != Flag::doubtful) add(qt_text(meaning(flag)));

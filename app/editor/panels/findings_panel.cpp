@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QStyledItemDelegate>
 #include <QTreeView>
-#include <QVBoxLayout>
 
 #include "app/editor/panels/sections.h"
 #include "app/viewport/qt_text.h"
@@ -99,9 +98,7 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
       sums_(new QLabel(this)),
       advice_(quiet_label(tr("Advice"), this)) {
   setAccessibleName(tr("Findings"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(4, 4, 4, 4);
-  column->setSpacing(3);
+  auto* column = panel_column(this, 3);
   sums_->setAccessibleName(tr("Number of findings"));
   column->addWidget(sums_);
   sorted_.setSourceModel(&model_);
@@ -122,21 +119,18 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
   const QFontMetrics metrics = fontMetrics();
   // Titles need room for the arrow of the sorting beside the word. The message column gets the remaining
   // width.
-  table_->setColumnWidth(FindingsModel::severity_column,
-                         metrics.horizontalAdvance(QStringLiteral("Severity")) + 28);
-  table_->setColumnWidth(FindingsModel::rule_column,
-                         metrics.horizontalAdvance(QStringLiteral("ETK000")) + 16);
-  table_->setColumnWidth(FindingsModel::material_column, metrics.horizontalAdvance(QStringLiteral("m")) * 8);
+  table_->setColumnWidth(FindingsModel::severity_column, metrics.horizontalAdvance("Severity") + 28);
+  table_->setColumnWidth(FindingsModel::rule_column, metrics.horizontalAdvance("ETK000") + 16);
+  table_->setColumnWidth(FindingsModel::material_column, metrics.horizontalAdvance("m") * 8);
   column->addWidget(table_, 1);
   column->addWidget(advice_);
   const auto show = [this, &validator] {
     model_.set_findings(validator.findings());
     const auto [errors, warnings, infos] = model_.counts();
-    sums_->setText(model_.rowCount() == 0
-                       ? tr("No findings")
-                       : counted(errors, tr("error"), tr("errors")) + QStringLiteral(", ") +
-                             counted(warnings, tr("warning"), tr("warnings")) + QStringLiteral(", ") +
-                             counted(infos, tr("info"), tr("infos")));
+    sums_->setText(model_.rowCount() == 0 ? tr("No findings")
+                                          : counted(errors, tr("error"), tr("errors")) + ", " +
+                                                counted(warnings, tr("warning"), tr("warnings")) + ", " +
+                                                counted(infos, tr("info"), tr("infos")));
     advice_->clear();
   };
   connect(&validator, &Validator::findings_changed, this, show);

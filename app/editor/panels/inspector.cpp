@@ -3,15 +3,12 @@
 
 #include <QLabel>
 #include <QLineEdit>
-#include <QVBoxLayout>
 #include <cmath>
 
-#include "app/editor/fields/color_field.h"
-#include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/model_section.h"
 #include "app/editor/panels/source_section.h"
 #include "app/editor/panels/texture_section.h"
+#include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/color/gloss.h"
@@ -28,44 +25,42 @@ bool measures_diffuse(const std::optional<MeasuredF0>& measured, const MaterialL
   return found && !gives_f0(found->material_class);
 }
 
+QString lobe_text(const Gloss& gloss) {
+  const QString exponent = std::isfinite(gloss.exponent()) ? qt_text(number(gloss.exponent(), 4)) : "\u221e";
+  return QObject::tr("exponent %1   alpha roughness %2").arg(exponent, qt_text(number(gloss.alpha(), 3))) +
+         (gloss.held() ? '\n' + qt_text(held_text(gloss)) : QString());
+}
+
 }  // namespace
 
 Inspector::Inspector(Document& document, QWidget* parent)
-    : PanelScroll(tr("Inspector"), parent),
+    : PanelScroll(tr("Inspector"), tr("Material"), parent),
       document_(document),
-      page_(new QWidget(this)),
+      fields_(std::bind_front(&Inspector::edit, this)),
       empty_(
           new QLabel(tr("No material. Add one from the library, or make a new one (Ctrl+Shift+N)."), this)),
       name_(new QLineEdit(this)),
       source_(new SourceSection(document, this)),
       model_(new ModelSection(document, this)),
       textures_(new TextureSection(document, this)) {
-  auto* column = new QVBoxLayout(page_);
-  column->setContentsMargins(4, 4, 4, 4);
-  column->setSpacing(6);
   empty_->setWordWrap(true);
   empty_->setAccessibleName(tr("No material"));
   name_->setAccessibleName(tr("Name of the material"));
-  page_->setAccessibleName(tr("Material"));
-  column->addWidget(empty_);
-  column->addWidget(name_);
-  column->addWidget(source_);
-  column->addWidget(make_numbers());
-  column->addWidget(model_);
-  column->addWidget(textures_);
-  column->addStretch(1);
-  setWidget(page_);
+  for (QWidget* each : std::initializer_list<QWidget*>{empty_, name_, source_}) column().addWidget(each);
+  make_numbers();
+  column().addWidget(model_);
+  column().addWidget(textures_);
+  column().addStretch(1);
 
   name_->setToolTip(tr("What the material is called in the project and in what is exported"));
   name_->setMaxLength(static_cast<int>(most_name_bytes));
   connect(name_, &QLineEdit::editingFinished, this, [this] {
+    const ProjectMaterial* m = document_.material();
     const std::string wanted = name_->text().trimmed().toStdString();
-    if (document_.material() == nullptr || preview_ || wanted.empty() ||
-        name_->text().toStdString() == document_.material()->name || wanted == document_.material()->name)
+    if (m == nullptr || preview_ || wanted.empty() || name_->text().toStdString() == m->name ||
+        wanted == m->name)
       return show_material();
-    ProjectMaterial next = *document_.material();
-    next.name = free_name(document_.project(), wanted);
-    document_.edit(document_.current(), next, tr("rename"), next_press_id());
+    document_.rename(document_.current(), wanted);
   });
   connect(&document, &Document::current_changed, this, &Inspector::show_material);
   connect(&document, &Document::replaced, this, &Inspector::show_material);
@@ -80,89 +75,75 @@ Inspector::Inspector(Document& document, QWidget* parent)
   show_material();
 }
 
-QWidget* Inspector::make_numbers() {
-  numbers_ = new Section(tr("Surface"), this);
-  specular_ = new ColorField(tr("Specular"), {0.04, 0.04, 0.04}, numbers_);
-  diffuse_ = new ColorField(tr("Diffuse"), {0, 0, 0}, numbers_);
-  gloss_ = new NumberField(tr("Gloss"), 0, 1, 0.75, numbers_);
-  gloss_->setToolTip(
-      tr("Sch\u00fcler's gloss g: exponent 2^(12 g), \u03b1 = \u221a(2 / (exponent + 2)), roughness "
-         "\u221a\u03b1: "
-         "0.904 for gloss 0 to 0.149 for gloss 1"));
-  roughness_ = new NumberField(tr("Roughness"), 0, 1, roughness_of_gloss(0.75), numbers_);
-  roughness_->setToolTip(tr(
-      "Perceptual roughness r, in place of gloss: \u03b1 = r\u00b2, gloss log2(2 / r\u2074 \u2212 2) / 12. "
-      "Below 0.149 and above 0.904 there is no gloss: what takes one gets the nearest"));
-  alpha_ = new NumberField(tr("Alpha opacity"), 0, 1, 1, numbers_);
-  alpha_->setToolTip(
-      tr("How much of what lies behind is covered: 0 nothing, 1 all; only in the modes mask and blend"));
-  cutoff_ = new NumberField(tr("Alpha cutoff"), 0, 1, 0.5, numbers_);
-  cutoff_->setToolTip(tr("In the mode mask: what has a lower alpha opacity is not drawn at all"));
-  alpha_mode_ = new QuietComboBox(tr("Alpha mode"), numbers_);
-  alpha_mode_->addItems({tr("opaque"), tr("mask"), tr("blend")});
-  alpha_mode_->setToolTip(
-      tr("opaque: alpha opacity is not looked at; mask: drawn or not, by the cutoff; blend: mixed "
-         "with what lies behind"));
-  emission_ = new ColorField(tr("Emission"), {0, 0, 0}, numbers_);
-  emission_->setToolTip(tr("Radiance that the surface sends out by itself, to all sides"));
-  occlusion_ = new NumberField(tr("Occlusion"), 0, 1, 1, numbers_);
-  occlusion_->setToolTip(tr("Share of the light of environment and hemispheres that reaches the surface"));
-  specular_->setToolTip(tr("F0: what the surface reflects at normal incidence"));
-  diffuse_->setToolTip(tr("What the body scatters back"));
-  lobe_ = quiet_label(tr("Gloss as exponent and alpha roughness"), numbers_);
-  lobe_->setToolTip(tr("Alpha roughness is the width of the lobe, \u03b1 = roughness\u00b2"));
-  numbers_->add_below(tr("Specular (F0)"), specular_);
-  numbers_->add_below(tr("Diffuse"), diffuse_);
-  numbers_->add(tr("Gloss"), gloss_);
-  numbers_->add(tr("Roughness"), roughness_);
-  numbers_->add(lobe_);
-  numbers_->add(tr("Alpha opacity"), alpha_);
-  numbers_->add(tr("Alpha mode"), alpha_mode_);
-  numbers_->add(tr("Alpha cutoff"), cutoff_);
-  numbers_->add_below(tr("Emission"), emission_);
-  numbers_->add(tr("Occlusion"), occlusion_);
-
-  connect_colors();
-  connect_numbers();
-  return numbers_;
-}
-
-void Inspector::edit(const QString& what, int press, const std::function<void(ProjectMaterial&)>& change) {
-  if (document_.material() == nullptr) return;
-  ProjectMaterial next = *document_.material();
-  change(next);
-  const ProjectMaterial before = *document_.material();
-  document_.edit(document_.current(), next, what, press);
-  if (before.measured && !next.measured) emit told(let_go_text(before));
-}
-
-void Inspector::connect_colors() {
-  connect(specular_, &ColorField::edited, this, [this](const LinearRgb& color, int press) {
-    edit(tr("specular colour"), press, [&](ProjectMaterial& m) {
-      // A typed colour replaces the measurement, unless that measures the diffuse colour.
-      if (!measures_diffuse(m.measured, *document_.library())) m.measured.reset();
-      m.specular = color;
-      // The record measures the total reflectance: the surface reflects its part, and the body the rest.
-      if (m.measured) m = with_measured(std::move(m), *document_.library());
-    });
-  });
-  connect(diffuse_, &ColorField::edited, this, [this](const LinearRgb& color, int press) {
-    edit(tr("diffuse colour"), press, [&](ProjectMaterial& m) {
-      if (measures_diffuse(m.measured, *document_.library())) m.measured.reset();
-      m.diffuse = color;
-    });
-  });
-  connect(emission_, &ColorField::edited, this, [this](const LinearRgb& color, int press) {
-    edit(tr("emission"), press, [&](ProjectMaterial& m) {
-      m.emission = {std::max(0.0, color.r), std::max(0.0, color.g), std::max(0.0, color.b)};
-    });
-  });
+void Inspector::make_numbers() {
+  numbers_ = &add_section(tr("Surface"));
+  fields_.in(*numbers_);
+  specular_ = fields_.color(
+      {tr("Specular"), tr("Specular (F0)"), tr("F0: what the surface reflects at normal incidence"),
+       tr("specular colour")},
+      {0.04, 0.04, 0.04},
+      Computed{std::mem_fn(&ProjectMaterial::specular), [this](ProjectMaterial& m, const LinearRgb& color) {
+                 // A typed colour replaces the measurement, unless that measures the diffuse colour.
+                 if (!measures_diffuse(m.measured, *document_.library())) m.measured.reset();
+                 m.specular = color;
+                 // The record measures the total reflectance: the body reflects what the surface does not.
+                 if (m.measured) m = with_measured(std::move(m), *document_.library());
+               }});
+  diffuse_ = fields_.color(
+      {tr("Diffuse"), "", tr("What the body scatters back"), tr("diffuse colour")}, {0, 0, 0},
+      Computed{std::mem_fn(&ProjectMaterial::diffuse), [this](ProjectMaterial& m, const LinearRgb& color) {
+                 if (measures_diffuse(m.measured, *document_.library())) m.measured.reset();
+                 m.diffuse = color;
+               }});
   specular_->leave_reset_to_owner();
   diffuse_->leave_reset_to_owner();
   connect(specular_, &ColorField::reset_asked, this,
           [this] { reset_color(*specular_, &ProjectMaterial::specular, tr("specular colour")); });
   connect(diffuse_, &ColorField::reset_asked, this,
           [this] { reset_color(*diffuse_, &ProjectMaterial::diffuse, tr("diffuse colour")); });
+  gloss_ = fields_.number(
+      {tr("Gloss"), "",
+       tr("Sch\u00fcler's gloss g: exponent 2^(12 g), \u03b1 = \u221a(2 / (exponent + 2)), roughness "
+          "\u221a\u03b1: 0.904 for gloss 0 to 0.149 for gloss 1")},
+      {0, 1, 0.75}, &ProjectMaterial::gloss);
+  roughness_ = fields_.number(
+      {tr("Roughness"), "",
+       tr("Perceptual roughness r, in place of gloss: \u03b1 = r\u00b2, gloss log2(2 / r\u2074 \u2212 2) / "
+          "12. Below 0.149 and above 0.904 there is no gloss: what takes one gets the nearest")},
+      {0, 1, roughness_of_gloss(0.75)},
+      Computed{[](const ProjectMaterial& m) { return m.gloss.roughness(); },
+               [](ProjectMaterial& m, double roughness) { m.gloss = Gloss::of_roughness(roughness); }});
+  auto* lobe = quiet_label(tr("Gloss as exponent and alpha roughness"), numbers_);
+  lobe->setToolTip(tr("Alpha roughness is the width of the lobe, \u03b1 = roughness\u00b2"));
+  numbers_->add(lobe);
+  fields_.shows({}, {}, [lobe](const ProjectMaterial& m) { lobe->setText(lobe_text(m.gloss)); });
+  alpha_ = fields_.number(
+      {tr("Alpha opacity"), "",
+       tr("How much of what lies behind is covered: 0 nothing, 1 all; only in the modes mask and blend"),
+       tr("alpha")},
+      {0, 1, 1}, &ProjectMaterial::alpha,
+      [](const ProjectMaterial& m) { return m.alpha_mode != AlphaMode::opaque; });
+  fields_.choice(
+      {tr("Alpha mode"), "",
+       tr("opaque: alpha opacity is not looked at; mask: drawn or not, by the cutoff; blend: mixed with what "
+          "lies behind")},
+      {tr("opaque"), tr("mask"), tr("blend")}, &ProjectMaterial::alpha_mode);
+  fields_.number(
+      {tr("Alpha cutoff"), "", tr("In the mode mask: what has a lower alpha opacity is not drawn at all")},
+      {0, 1, 0.5}, &ProjectMaterial::alpha_cutoff,
+      [](const ProjectMaterial& m) { return m.alpha_mode == AlphaMode::mask; });
+  fields_.color({tr("Emission"), "", tr("Radiance that the surface sends out by itself, to all sides")},
+                {0, 0, 0}, &ProjectMaterial::emission);
+  fields_.number(
+      {tr("Occlusion"), "", tr("Share of the light of environment and hemispheres that reaches the surface")},
+      {0, 1, 1}, &ProjectMaterial::occlusion);
+}
+
+void Inspector::edit(const QString& what, int press, const std::function<void(ProjectMaterial&)>& change) {
+  if (document_.material() == nullptr) return;
+  const ProjectMaterial before = *document_.material();
+  document_.change_material(what, press, change);
+  if (before.measured && !document_.material()->measured) emit told(let_go_text(before));
 }
 
 // Sets a colour that is or was measured to the measurement, and any other to the standard of the field.
@@ -185,27 +166,6 @@ void Inspector::reset_color(ColorField& field, LinearRgb ProjectMaterial::*membe
   }
 }
 
-void Inspector::connect_numbers() {
-  const auto number = [this](NumberField* field, const QString& what, double ProjectMaterial::*member) {
-    connect(field, &NumberField::edited, this, [this, what, member](double value, int press) {
-      edit(what, press, [&](ProjectMaterial& m) { m.*member = value; });
-    });
-  };
-  connect(gloss_, &NumberField::edited, this, [this](double value, int press) {
-    edit(tr("gloss"), press, [&](ProjectMaterial& m) { m.gloss = value; });
-  });
-  connect(roughness_, &NumberField::edited, this, [this](double value, int press) {
-    edit(tr("roughness"), press, [&](ProjectMaterial& m) { m.gloss = Gloss::of_roughness(value); });
-  });
-  number(alpha_, tr("alpha"), &ProjectMaterial::alpha);
-  number(cutoff_, tr("alpha cutoff"), &ProjectMaterial::alpha_cutoff);
-  number(occlusion_, tr("occlusion"), &ProjectMaterial::occlusion);
-  connect(alpha_mode_, &QComboBox::activated, this, [this](int row) {
-    edit(tr("alpha mode"), next_press_id(),
-         [&](ProjectMaterial& m) { m.alpha_mode = static_cast<AlphaMode>(row); });
-  });
-}
-
 void Inspector::show_preview(const std::optional<ProjectMaterial>& material) {
   if (preview_ == material) return;
   preview_ = material;
@@ -215,38 +175,19 @@ void Inspector::show_preview(const std::optional<ProjectMaterial>& material) {
 void Inspector::show_material() {
   const ProjectMaterial* m = preview_ ? &*preview_ : document_.material();
   empty_->setVisible(m == nullptr);
-  for (QWidget* each :
-       {static_cast<QWidget*>(name_), static_cast<QWidget*>(source_), static_cast<QWidget*>(numbers_),
-        static_cast<QWidget*>(model_), static_cast<QWidget*>(textures_)})
-    each->setVisible(m != nullptr);
+  source_->setVisible(m != nullptr);
   // The fields of a preview cannot be edited.
-  for (QWidget* each : {static_cast<QWidget*>(name_), static_cast<QWidget*>(numbers_),
-                        static_cast<QWidget*>(model_), static_cast<QWidget*>(textures_)})
+  for (QWidget* each : std::initializer_list<QWidget*>{name_, numbers_, model_, textures_}) {
+    each->setVisible(m != nullptr);
     each->setEnabled(!preview_);
+  }
   source_->show_material(m, !preview_);
   model_->show_material(m);
   textures_->show_material(m);
   if (m == nullptr) return;
   const QString name = QString::fromStdString(m->name);
   if (name_->text() != name) name_->setText(name);
-  specular_->show_color(m->specular);
-  diffuse_->show_color(m->diffuse);
-  gloss_->show_value(m->gloss);
-  roughness_->show_value(m->gloss.roughness());
-  alpha_->show_value(m->alpha);
-  cutoff_->show_value(m->alpha_cutoff);
-  emission_->show_color(m->emission);
-  occlusion_->show_value(m->occlusion);
-  alpha_->setEnabled(m->alpha_mode != AlphaMode::opaque);
-  cutoff_->setEnabled(m->alpha_mode == AlphaMode::mask);
-  alpha_mode_->setCurrentIndex(static_cast<int>(m->alpha_mode));
-  QString lobe = tr("exponent %1   alpha roughness %2")
-                     .arg(std::isfinite(m->gloss.exponent())
-                              ? QString::fromStdString(etak::number(m->gloss.exponent(), 4))
-                              : QStringLiteral("\u221e"),
-                          QString::fromStdString(etak::number(m->gloss.alpha(), 3)));
-  if (m->gloss.held()) lobe += QStringLiteral("\n") + QString::fromStdString(held_text(m->gloss));
-  lobe_->setText(lobe);
+  fields_.show(*m);
 }
 
 void Inspector::go_to(const std::string& rule) {

@@ -5,17 +5,13 @@
 #include <optional>
 
 #include "app/editor/document/document.h"
-#include "app/editor/panels/sections.h"
+#include "app/editor/panels/fields_of.h"
 
-class QLabel;
 class QLineEdit;
 
 namespace etak::editor {
 
-class ColorField;
 class ModelSection;
-class NumberField;
-class Section;
 class SourceSection;
 class TextureSection;
 
@@ -45,23 +41,18 @@ class Inspector : public PanelScroll {
 
  private:
   void show_material();
-  QWidget* make_numbers();
-  void connect_colors();
-  void connect_numbers();
+  void make_numbers();
   void edit(const QString& what, int press, const std::function<void(ProjectMaterial&)>& change);
   void reset_color(ColorField& field, LinearRgb ProjectMaterial::*member, const QString& what);
 
   Document& document_;
   std::optional<ProjectMaterial> preview_;
-  QWidget* page_;
+  FieldsOf<ProjectMaterial> fields_;
   QLabel* empty_;
   QLineEdit* name_;
   SourceSection* source_;
-  ColorField *specular_ = nullptr, *diffuse_ = nullptr, *emission_ = nullptr;
-  NumberField *gloss_ = nullptr, *roughness_ = nullptr, *alpha_ = nullptr, *cutoff_ = nullptr,
-              *occlusion_ = nullptr;
-  QuietComboBox* alpha_mode_ = nullptr;
-  QLabel* lobe_ = nullptr;
+  ColorField *specular_ = nullptr, *diffuse_ = nullptr;
+  NumberField *gloss_ = nullptr, *roughness_ = nullptr, *alpha_ = nullptr;
   Section* numbers_ = nullptr;
   ModelSection* model_;
   TextureSection* textures_;

@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "app/editor/panels/data_sentences.h"
+#include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"
 #include "app/viewport/viewport.h"
 #include "core/base/error.h"
@@ -18,8 +19,7 @@ namespace etak::editor {
 QString search_key(const QString& text) {
   QString out;
   for (const QChar c : text.normalized(QString::NormalizationForm_KD).toLower())
-    if (c.category() != QChar::Mark_NonSpacing)
-      out += c == QLatin1Char('_') || c == QLatin1Char('-') ? QLatin1Char(' ') : c;
+    if (c.category() != QChar::Mark_NonSpacing) out += c == '_' || c == '-' ? ' ' : c;
   return out;
 }
 
@@ -36,7 +36,8 @@ QPixmap with_dot(QPixmap picture) {
   return picture;
 }
 
-// All alike in gloss, but for clear bodies, through which little would be seen.
+// The surface of a picture. All materials have the same gloss there, but clear bodies, which would show little,
+// have more.
 SurfaceValues shown_surface(const Material& m) {
   const bool clear = clarity(m, m.preferred_dataset()).clear;
   const Vec3 diffuse = clear ? Vec3{0, 0, 0} : Vec3{0.25, 0.25, 0.25};
@@ -70,9 +71,9 @@ void LibraryModel::set_library(std::shared_ptr<const MaterialLibrary> library) {
             {},
             {}};
     row.marked = !quality_flags(m, m.preferred_dataset()).none();
-    row.keys = row.id + QLatin1Char(' ') + row.name + QLatin1Char(' ') + row.material_class;
-    row.keys += QLatin1Char(' ') + QString::fromStdString(m.group);
-    for (const std::string& alias : m.aliases) row.keys += QLatin1Char(' ') + QString::fromStdString(alias);
+    row.keys = row.id + ' ' + row.name + ' ' + row.material_class;
+    row.keys += ' ' + QString::fromStdString(m.group);
+    for (const std::string& alias : m.aliases) row.keys += ' ' + QString::fromStdString(alias);
     row.keys = search_key(row.keys);
     row.names = {search_key(row.id), search_key(row.name)};
     for (const std::string& alias : m.aliases) row.names << search_key(QString::fromStdString(alias));
@@ -133,13 +134,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
                                    [find] { return shown_surface(find()); }};
       };
       const QPixmap picture = thumbnails_.get(row.id, shape_, side_, ratio_, subject);
-      if (!picture.isNull()) {
-        // Without a picture for the selected state, the style would lay the colour of the selection over it.
-        const QPixmap shown = row.marked ? with_dot(picture) : picture;
-        QIcon icon(shown);
-        icon.addPixmap(shown, QIcon::Selected);
-        return icon;
-      }
+      if (!picture.isNull()) return untinted_icon(row.marked ? with_dot(picture) : picture);
       QPixmap empty(static_cast<int>(side_ * ratio_), static_cast<int>(side_ * ratio_));
       empty.setDevicePixelRatio(ratio_);
       empty.fill(QColor(63, 63, 63));
@@ -180,17 +175,17 @@ LibraryFilter::LibraryFilter(QObject* parent) : QSortFilterProxyModel(parent) {
 }
 
 void LibraryFilter::set_search(const QString& text) {
-  words_ = search_key(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  words_ = search_key(text).split(' ', Qt::SkipEmptyParts);
   invalidate();  // the order of the rows depends on the search as well
 }
 
 int LibraryFilter::rank(const QModelIndex& row) const {
-  const QString wanted = words_.join(QLatin1Char(' '));
+  const QString wanted = words_.join(' ');
   const QStringList names = row.data(LibraryModel::names_role).toStringList();
   if (wanted.isEmpty() || names.contains(wanted)) return 0;
   const auto any = [&](const auto& test) { return std::any_of(names.begin(), names.end(), test); };
   if (any([&](const QString& name) { return name.startsWith(wanted); })) return 1;
-  return any([&](const QString& name) { return name.contains(QLatin1Char(' ') + wanted); }) ? 2 : 3;
+  return any([&](const QString& name) { return name.contains(' ' + wanted); }) ? 2 : 3;
 }
 
 bool LibraryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {

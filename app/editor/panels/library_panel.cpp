@@ -2,14 +2,13 @@
 #include "app/editor/panels/library_panel.h"
 
 #include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QToolButton>
-#include <QVBoxLayout>
 
+#include "app/editor/fields/add_button.h"
 #include "app/editor/fields/flow_layout.h"
+#include "app/editor/panels/sections.h"
 
 namespace etak::editor {
 namespace {
@@ -50,10 +49,7 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
       chip_group_(new QButtonGroup(this)),
       count_(new QLabel(this)) {
   setAccessibleName(tr("Library"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(4, 4, 4, 4);
-  column->setSpacing(4);
-
+  auto* column = panel_column(this, 4);
   search_->setPlaceholderText(tr("Search (Ctrl+F)"));
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Search the library"));
@@ -77,23 +73,16 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
   column->addWidget(list_, 1);
 
   auto* foot = new QHBoxLayout;
+  column->addLayout(foot);
   count_->setProperty("quiet", true);
   count_->setAccessibleName(tr("Number of materials shown"));
   count_->setWordWrap(true);
   foot->addWidget(count_, 1);
-  const auto button = [&](const QString& label, const QString& name, const QString& tip) {
-    auto* out = new QToolButton(this);
-    out->setText(label);
-    out->setToolTip(tip);
-    out->setAccessibleName(name);
-    foot->addWidget(out);
-    return out;
-  };
-  auto* flat = button(tr("Flat"), tr("Flat pictures"), tr("Flat pictures in place of spheres"));
+  auto* flat = add_button(*foot, tr("Flat"), tr("Flat pictures in place of spheres"), tr("Flat pictures"));
   flat->setCheckable(true);
-  auto* add = button(tr("Add to project"), tr("Add to project"),
-                     tr("Add the selected material to the project (Return or double click)"));
-  column->addLayout(foot);
+  auto* add = add_button(*foot, tr("Add to project"),
+                         tr("Add the selected material to the project (Return or double click)"),
+                         tr("Add to project"));
 
   chip_group_->setExclusive(false);
   connect(add, &QToolButton::clicked, this, [this] {

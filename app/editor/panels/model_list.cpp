@@ -38,8 +38,7 @@ void add_models(QComboBox& box, const std::function<bool(const Model&)>& is_show
     item->setFont(font);
     for (const Model* each : members) {
       box.addItem(qt_text(each->title), qt_text(each->id));
-      box.setItemData(box.count() - 1, qt_text(each->id) + QLatin1Char('\n') + qt_text(each->source),
-                      Qt::ToolTipRole);
+      box.setItemData(box.count() - 1, qt_text(each->id) + '\n' + qt_text(each->source), Qt::ToolTipRole);
     }
   }
 }

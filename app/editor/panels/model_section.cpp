@@ -45,20 +45,17 @@ ModelSection::ModelSection(Document& document, QWidget* parent)
   diffuse_->addItem(tr("none"), QString());
   add_models(*specular_, [](const Model& each) { return each.kind != ModelKind::diffuse; });
   add_models(*diffuse_, [](const Model& each) { return each.kind == ModelKind::diffuse; });
-  specular_->setToolTip(tr("The formula of the surface's reflection"));
-  diffuse_->setToolTip(tr("The formula of the body's reflection"));
-  add(tr("Specular"), specular_);
-  add(tr("Diffuse"), diffuse_);
+  add(tr("Specular"), specular_, tr("The formula of the surface's reflection"));
+  add(tr("Diffuse"), diffuse_, tr("The formula of the body's reflection"));
   add(about_);
   add(sliders_);
   const auto take = [this](QuietComboBox* box, std::string ProjectMaterial::*member) {
     connect(box, &QComboBox::activated, this, [this, box, member] {
-      if (document_.material() == nullptr) return;
-      ProjectMaterial next = *document_.material();
-      next.*member = box->currentData().toString().toStdString();
-      // Values that were set for the parameters of another model are dropped.
-      next.parameters.clear();
-      document_.edit(document_.current(), next, tr("shading model"), next_press_id());
+      document_.change_material(tr("shading model"), next_press_id(), [&](ProjectMaterial& m) {
+        m.*member = box->currentData().toString().toStdString();
+        // Values that were set for the parameters of another model are dropped.
+        m.parameters.clear();
+      });
     });
   };
   take(specular_, &ProjectMaterial::specular_model);
@@ -73,11 +70,11 @@ void ModelSection::rebuild() {
     std::size_t at = 0;
     for (const Parameter& p : model->parameters) {
       if (!has_own_field(p.role)) {
-        auto* field = new NumberField(qt_text(p.name), least_of(p), most_of(p), p.initial, sliders_);
+        auto* field =
+            new NumberField(qt_text(p.name), {least_of(p), most_of(p), p.initial, p.min, p.max}, sliders_);
         field->setToolTip(p.color ? tr("%1 (all three channels)").arg(qt_text(p.meaning))
                                   : qt_text(p.meaning));
         field->leave_reset_to_owner();
-        field->box().setRange(p.min, p.max);
         const std::string parameter(p.name);
         // "alpha" alone would be understood as opacity.
         auto* label = new QLabel(
@@ -99,13 +96,12 @@ void ModelSection::rebuild() {
 }
 
 void ModelSection::set(const std::string& parameter, std::optional<double> value, int press_id) {
-  if (document_.material() == nullptr) return;
-  ProjectMaterial next = *document_.material();
-  std::erase_if(next.parameters, [&](const auto& each) {
-    return each.first == parameter || each.first.starts_with(parameter + ".");
+  document_.change_material(qt_text(parameter), press_id, [&](ProjectMaterial& m) {
+    std::erase_if(m.parameters, [&](const auto& each) {
+      return each.first == parameter || each.first.starts_with(parameter + ".");
+    });
+    if (value) m.parameters.emplace_back(parameter, *value);
   });
-  if (value) next.parameters.emplace_back(parameter, *value);
-  document_.edit(document_.current(), next, qt_text(parameter), press_id);
 }
 
 void ModelSection::show_material(const ProjectMaterial* m) {

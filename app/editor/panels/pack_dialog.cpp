@@ -55,7 +55,6 @@ PackDialog::PackDialog(const Project& project, std::shared_ptr<const MaterialLib
       button_(new QPushButton(tr("Cancel"), this)) {
   setWindowTitle(tr("Pack the atlas"));
   setAccessibleName(tr("Pack the atlas"));
-  pool_.setMaxThreadCount(1);
   auto* column = new QVBoxLayout(this);
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -82,11 +81,6 @@ PackDialog::PackDialog(const Project& project, std::shared_ptr<const MaterialLib
     else
       accept();
   });
-}
-
-PackDialog::~PackDialog() {
-  *cancelled_ = true;
-  pool_.waitForDone();
 }
 
 void PackDialog::start() {
@@ -127,8 +121,7 @@ void PackDialog::start() {
               pack(packed_manifest(project, *library), label, folder, options, *library);
           out.written = true;
           out.text = QString::fromStdString(report_text(report, false) + validation_text(*check.report()));
-          for (const std::string& remark : report.remarks)
-            out.text += QString::fromStdString(remark) + QLatin1Char('\n');
+          for (const std::string& remark : report.remarks) out.text += QString::fromStdString(remark) + '\n';
         } catch (const PackCancelled&) {
           out.text = QObject::tr("Cancelled: nothing was written.");
         } catch (const Error& error) {
@@ -163,7 +156,7 @@ void PackDialog::reject() {
 }
 
 QString PackDialog::result_text() const {
-  return (text_->text() + QLatin1Char('\n') + report_->toPlainText()).trimmed();
+  return (text_->text() + '\n' + report_->toPlainText()).trimmed();
 }
 
 }  // namespace etak::editor

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <QDialog>
-#include <QThreadPool>
 #include <atomic>
 #include <memory>
 
+#include "app/viewport/background.h"
 #include "core/project/project.h"
 
 class QLabel;
@@ -24,7 +24,7 @@ class PackDialog : public QDialog {
  public:
   PackDialog(const Project& project, std::shared_ptr<const MaterialLibrary> library, const QString& label,
              const QString& folder, QWidget* parent = nullptr);
-  ~PackDialog() override;
+  ~PackDialog() override { *cancelled_ = true; }
 
   void start();
   void reject() override;  // while it packs, cancels the work
@@ -39,7 +39,7 @@ class PackDialog : public QDialog {
   std::shared_ptr<const MaterialLibrary> library_;
   QString label_, folder_;
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  QThreadPool pool_;
+  Worker pool_;
   QProgressBar* bar_;
   QLabel* text_;
   QPlainTextEdit* report_;

@@ -2,9 +2,9 @@
 #include "app/editor/panels/preview_bar.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QToolButton>
+
+#include "app/editor/fields/add_button.h"
 
 namespace etak::editor {
 
@@ -16,16 +16,10 @@ PreviewBar::PreviewBar(QWidget* picture) : QFrame(picture), text_(new QLabel(thi
   row->setContentsMargins(8, 3, 4, 3);
   text_->setAccessibleName(tr("What is looked at"));
   row->addWidget(text_);
-  const auto button = [&](const QString& label, const QString& tip, void (PreviewBar::*signal)()) {
-    auto* out = new QToolButton(this);
-    out->setText(label);
-    out->setToolTip(tip);
-    out->setAccessibleName(tip);
-    connect(out, &QToolButton::clicked, this, signal);
-    row->addWidget(out);
-  };
-  button(tr("Add"), tr("Add the material that is looked at to the project"), &PreviewBar::add_asked);
-  button(QStringLiteral("\u2715"), tr("End the preview (Esc)"), &PreviewBar::end_asked);
+  connect(add_button(*row, tr("Add"), tr("Add the material that is looked at to the project")),
+          &QToolButton::clicked, this, &PreviewBar::add_asked);
+  connect(add_button(*row, "\u2715", tr("End the preview (Esc)")), &QToolButton::clicked, this,
+          &PreviewBar::end_asked);
   picture->installEventFilter(this);
   hide();
 }

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/panels/project_panel.h"
 
-#include <QHBoxLayout>
 #include <QIcon>
 #include <QItemSelectionModel>
 #include <QListView>
 #include <QSignalBlocker>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
 
-#include "app/editor/fields/press_id.h"
+#include "app/editor/fields/add_button.h"
+#include "app/editor/panels/sections.h"
+#include "app/viewport/qt_picture.h"
 #include "core/color/srgb.h"
 
 namespace etak::editor {
@@ -46,7 +45,7 @@ ProjectModel::ProjectModel(Document& document, Thumbnails& thumbnails, QObject* 
     endRemoveRows();
   });
   connect(&thumbnails, &Thumbnails::ready, this, [this](const QString& key) {
-    if (key.startsWith(QLatin1String("project|")) && rowCount() > 0)
+    if (key.startsWith("project|") && rowCount() > 0)
       emit dataChanged(index(0), index(rowCount() - 1), {Qt::DecorationRole});
   });
 }
@@ -89,15 +88,9 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
                QString::fromStdString(roughness_text(m.gloss)));
     case Qt::DecorationRole: {
       const QPixmap pixmap = picture(index.row());
-      if (!pixmap.isNull()) {
-        // Without a picture for the selected state, the style would lay the colour of the selection over it.
-        QIcon icon(pixmap);
-        icon.addPixmap(pixmap, QIcon::Selected);
-        return icon;
-      }
+      if (!pixmap.isNull()) return untinted_icon(pixmap);
       QPixmap empty(row_side, row_side);
-      const Srgb8 codes = srgb_u8(m.specular);
-      empty.fill(QColor(codes.r, codes.g, codes.b));
+      empty.fill(qt_color(srgb_u8(m.specular)));
       return empty;
     }
     default:
@@ -108,10 +101,8 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
 bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const std::string wanted = value.toString().trimmed().toStdString();
   if (role != Qt::EditRole || wanted.empty()) return false;
-  ProjectMaterial m = document_.project().materials[static_cast<std::size_t>(index.row())];
-  if (m.name == wanted) return true;
-  m.name = free_name(document_.project(), wanted);
-  document_.edit(index.row(), m, tr("rename"), next_press_id());
+  if (document_.project().materials[static_cast<std::size_t>(index.row())].name != wanted)
+    document_.rename(index.row(), wanted);
   return true;
 }
 
@@ -122,9 +113,7 @@ Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {
 ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* parent)
     : QWidget(parent), document_(document), model_(document, thumbnails), list_(new QListView(this)) {
   setAccessibleName(tr("Project"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(4, 4, 4, 4);
-  column->setSpacing(4);
+  auto* column = panel_column(this, 4);
   list_->setModel(&model_);
   list_->setIconSize({row_side, row_side});
   list_->setUniformItemSizes(true);
@@ -134,19 +123,14 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* 
   list_->setAccessibleName(tr("Materials of the project"));
   column->addWidget(list_, 1);
   auto* row = new QHBoxLayout;
+  column->addLayout(row);
   const auto button = [&](const QString& text, const QString& tip, void (ProjectPanel::*signal)()) {
-    auto* tool_button = new QToolButton(this);
-    tool_button->setText(text);
-    tool_button->setToolTip(tip);
-    tool_button->setAccessibleName(tip);
-    connect(tool_button, &QToolButton::clicked, this, signal);
-    row->addWidget(tool_button);
+    connect(add_button(*row, text, tip), &QToolButton::clicked, this, signal);
   };
   button(tr("New"), tr("New material (Ctrl+Shift+N)"), &ProjectPanel::new_asked);
   button(tr("Copy"), tr("Duplicate material (Ctrl+D)"), &ProjectPanel::copy_asked);
   button(tr("Remove"), tr("Remove material (Del)"), &ProjectPanel::remove_asked);
   row->addStretch(1);
-  column->addLayout(row);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& now) {
             if (!showing_ && now.isValid()) document_.set_current(now.row());

@@ -32,10 +32,16 @@ Section::Section(const QString& title, QWidget* parent)
   rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
 }
 
-void Section::add(const QString& name, QWidget* field) {
+QLabel* Section::label_for(const QString& name, QWidget* field, const QString& tip) {
+  if (!tip.isEmpty()) field->setToolTip(tip);
   if (field->accessibleName().isEmpty()) field->setAccessibleName(name);
-  auto* label = new QLabel(name, this);
-  label->setToolTip(field->toolTip());
+  auto* out = new QLabel(name, this);
+  out->setToolTip(field->toolTip());
+  return out;
+}
+
+void Section::add(const QString& name, QWidget* field, const QString& tip) {
+  auto* label = label_for(name, field, tip);
   label->setBuddy(field);
   rows_->addRow(label, field);
 }
@@ -44,18 +50,42 @@ void Section::add(QWidget* wide) {
   rows_->addRow(wide);
 }
 
-void Section::add_below(const QString& name, QWidget* field) {
-  auto* label = new QLabel(name, this);
-  label->setToolTip(field->toolTip());
-  rows_->addRow(label);
+QHBoxLayout& Section::add_line(const QString& name) {
+  auto* row = new QWidget(this);
+  row->setAccessibleName(name);
+  auto* out = new QHBoxLayout(row);
+  out->setContentsMargins(0, 0, 0, 0);
+  add(row);
+  return *out;
+}
+
+void Section::add_below(const QString& name, QWidget* field, const QString& tip) {
+  rows_->addRow(label_for(name, field, tip));
   rows_->addRow(field);
 }
 
-PanelScroll::PanelScroll(const QString& name, QWidget* parent) : QScrollArea(parent) {
+QVBoxLayout* panel_column(QWidget* panel, int spacing) {
+  auto* out = new QVBoxLayout(panel);
+  out->setContentsMargins(4, 4, 4, 4);
+  out->setSpacing(spacing);
+  return out;
+}
+
+PanelScroll::PanelScroll(const QString& name, const QString& page, QWidget* parent) : QScrollArea(parent) {
   setAccessibleName(name);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(QFrame::NoFrame);
+  auto* inside = new QWidget(this);
+  inside->setAccessibleName(page);
+  column_ = panel_column(inside, 6);
+  setWidget(inside);
+}
+
+Section& PanelScroll::add_section(const QString& title) {
+  auto* out = new Section(title, this);
+  column_->addWidget(out);
+  return *out;
 }
 
 QSize PanelScroll::minimumSizeHint() const {

@@ -6,6 +6,7 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QScrollArea>
+#include <QVBoxLayout>
 #include <QWheelEvent>
 
 namespace etak::editor {
@@ -28,27 +29,40 @@ class Section : public QGroupBox {
  public:
   explicit Section(const QString& title, QWidget* parent = nullptr);
   /// Adds a row. The name becomes the accessible name of the field where that has none.
-  void add(const QString& name, QWidget* field);
+  ///   tip   tooltip of field and name; empty: that of the field
+  void add(const QString& name, QWidget* field, const QString& tip = {});
   void add(QWidget* wide);
+  /// Adds a wide row of widgets beside each other.
+  QHBoxLayout& add_line(const QString& name);
   /// Adds a wide field below its name.
-  void add_below(const QString& name, QWidget* field);
+  void add_below(const QString& name, QWidget* field, const QString& tip);
   QFormLayout& rows() { return *rows_; }
 
  private:
+  QLabel* label_for(const QString& name, QWidget* field, const QString& tip);
   QFormLayout* rows_;
 };
 
 /// A page of sections that scrolls up and down, and is never narrower than its content.
+///   page   accessible name of the page
 class PanelScroll : public QScrollArea {
   Q_OBJECT
 
  public:
-  PanelScroll(const QString& name, QWidget* parent);
+  PanelScroll(const QString& name, const QString& page, QWidget* parent);
   QSize minimumSizeHint() const override;
 
  protected:
+  QVBoxLayout& column() { return *column_; }
+  Section& add_section(const QString& title);
   bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  QVBoxLayout* column_;
 };
+
+/// The layout of a panel: widgets below each other, with a small margin around them.
+QVBoxLayout* panel_column(QWidget* panel, int spacing);
 
 /// A label for grey text that is wrapped and can be selected.
 ///   name   accessible name of the label

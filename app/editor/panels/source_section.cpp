@@ -8,7 +8,6 @@
 #include "app/editor/panels/data_sentences.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
-#include "core/base/error.h"
 #include "core/base/text/text.h"
 #include "core/color/srgb.h"
 #include "core/material/quality.h"
@@ -26,15 +25,14 @@ struct SourceText {
 SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& library) {
   SourceText out;
   const MeasuredF0& measured = *material.measured;
-  try {
+  const QString failure = failure_of([&] {
     const FoundF0 found = find_f0(measured, library);
     const F0Result& r = found.result;
     out.result = QStringLiteral("%1   Y %2%3   F82 %4")
                      .arg(qt_text(hex(r.srgb8)), qt_text(fixed(r.luminance, 3)),
                           r.zone ? QStringLiteral(" (%1)").arg(qt_text(name(*r.zone))) : QString(),
-                          r.f82 ? qt_text(hex(srgb_u8(*r.f82))) : QStringLiteral("-"));
-    out.result += QStringLiteral("\n") +
-                  QObject::tr("data %1").arg(qt_text(quality_text(found.chosen().origin, r.flags)));
+                          r.f82 ? qt_text(hex(srgb_u8(*r.f82))) : "-");
+    out.result += "\n" + QObject::tr("data %1").arg(qt_text(quality_text(found.chosen().origin, r.flags)));
     out.result += data_sentences(r.flags, doubt(found.material, found.chosen()));
     out.body = qt_text(body_note(material, found));
     out.citation = qt_text(one_line(found.chosen().citation));
@@ -47,9 +45,8 @@ SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& l
                                      .arg(all.count)
                                      .arg(qt_text(hex(all.least8)), qt_text(hex(all.most8)))
                                : QObject::tr("one dataset");
-  } catch (const Error& error) {
-    out.result = QString::fromUtf8(error.what());
-  }
+  });
+  if (!failure.isEmpty()) out.result = failure;
   return out;
 }
 
@@ -74,50 +71,35 @@ SourceSection::SourceSection(Document& document, QWidget* parent)
       body_(quiet_label(tr("About the body and the roughness"), this)),
       spread_(quiet_label(tr("Spread of the datasets"), this)),
       citation_(quiet_label(tr("Citation"), this)) {
-  pool_.setMaxThreadCount(1);
-  material_->setEditable(true);
-  material_->setInsertPolicy(QComboBox::NoInsert);
+  const auto editable = [this](QuietComboBox* box, const QString& name, const QString& placeholder) {
+    box->setEditable(true);
+    box->setInsertPolicy(QComboBox::NoInsert);
+    box->lineEdit()->setAccessibleName(name);
+    box->lineEdit()->setPlaceholderText(placeholder);
+    connect(box->lineEdit(), &QLineEdit::editingFinished, this, &SourceSection::take);
+  };
+  editable(material_, tr("Use measured F0 of, text"), tr("typed numbers"));
   material_->completer()->setCompletionMode(QCompleter::PopupCompletion);
   material_->completer()->setFilterMode(Qt::MatchContains);
-  material_->lineEdit()->setAccessibleName(tr("Use measured F0 of, text"));
-  material_->lineEdit()->setPlaceholderText(tr("typed numbers"));
-  outside_->setEditable(true);
-  outside_->setInsertPolicy(QComboBox::NoInsert);
-  outside_->lineEdit()->setAccessibleName(tr("Outside medium, text"));
-  outside_->lineEdit()->setPlaceholderText(tr("vacuum"));
-  outside_->setToolTip(tr("A transparent material of the library, or an index such as 1.33"));
-  material_->setToolTip(
-      tr("The record whose spectra give the colours; empty: the colours are typed numbers"));
-  dataset_->setToolTip(tr("Which measurement of the record is used"));
-  illuminant_->setToolTip(tr("The light under which the spectrum becomes a colour"));
-  observer_->setToolTip(tr("The CIE colour matching functions that make the spectrum a colour"));
+  editable(outside_, tr("Outside medium, text"), tr("vacuum"));
   for (const char* medium : {"", "air", "water", "1.5"}) outside_->addItem(qt_text(medium));
   for (const Illuminant each : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
     illuminant_->addItem(qt_text(name(each)));
   for (const Observer each : {Observer::cie1931_2deg, Observer::cie1964_10deg})
     observer_->addItem(qt_text(name(each)));
-  add(tr("Use"), material_);
-  add(tr("Dataset"), dataset_);
+  add(tr("Use"), material_,
+      tr("The record whose spectra give the colours; empty: the colours are typed numbers"));
+  add(tr("Dataset"), dataset_, tr("Which measurement of the record is used"));
   add(spread_);
-  add(tr("Outside"), outside_);
-  add(tr("Illum."), illuminant_);
-  add(tr("Observer"), observer_);
+  add(tr("Outside"), outside_, tr("A transparent material of the library, or an index such as 1.33"));
+  add(tr("Illum."), illuminant_, tr("The light under which the spectrum becomes a colour"));
+  add(tr("Observer"), observer_, tr("The CIE colour matching functions that make the spectrum a colour"));
   add(result_);
   add(body_);
   add(citation_);
   set_library();
-  connect(material_, &QComboBox::activated, this, &SourceSection::take);
-  connect(material_->lineEdit(), &QLineEdit::editingFinished, this, &SourceSection::take);
-  connect(dataset_, &QComboBox::activated, this, &SourceSection::take);
-  connect(outside_, &QComboBox::activated, this, &SourceSection::take);
-  connect(outside_->lineEdit(), &QLineEdit::editingFinished, this, &SourceSection::take);
-  connect(illuminant_, &QComboBox::activated, this, &SourceSection::take);
-  connect(observer_, &QComboBox::activated, this, &SourceSection::take);
-}
-
-SourceSection::~SourceSection() {
-  pool_.clear();
-  pool_.waitForDone();
+  for (const QuietComboBox* each : {material_, dataset_, outside_, illuminant_, observer_})
+    connect(each, &QComboBox::activated, this, &SourceSection::take);
 }
 
 void SourceSection::set_library() {
@@ -155,9 +137,7 @@ void SourceSection::show_material(const ProjectMaterial* m, bool editable) {
   illuminant_->setCurrentText(qt_text(name(measured.viewing.illuminant)));
   observer_->setCurrentText(qt_text(name(measured.viewing.observer)));
   material_->setEnabled(editable);
-  for (QWidget* each : {static_cast<QWidget*>(dataset_), static_cast<QWidget*>(outside_),
-                        static_cast<QWidget*>(illuminant_), static_cast<QWidget*>(observer_)})
-    each->setEnabled(on && editable);
+  for (QuietComboBox* each : {dataset_, outside_, illuminant_, observer_}) each->setEnabled(on && editable);
   for (QLabel* each : {result_, spread_, citation_}) each->setVisible(on);
   body_->setVisible(on && !body_->text().isEmpty());
   showing_ = false;
@@ -203,13 +183,11 @@ void SourceSection::take() {
     // A record of total reflectance needs an assumed F0 of the surface: the default, not that of the record
     // before.
     if (!now->measured || now->measured->material != wanted) next.specular = ProjectMaterial{}.specular;
-    try {
-      next = with_measured(std::move(next), *document_.library());
-    } catch (const Error& error) {
+    const QString failure = failure_of([&] { next = with_measured(next, *document_.library()); });
+    if (!failure.isEmpty()) {
       show_material(now, true);
       result_->setVisible(true);
-      result_->setText(QString::fromUtf8(error.what()));
-      return;
+      return result_->setText(failure);
     }
   }
   document_.edit(document_.current(), next, tr("measured F0"), next_press_id());

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QThreadPool>
-
 #include "app/editor/document/document.h"
 #include "app/editor/panels/sections.h"
+#include "app/viewport/background.h"
 
 namespace etak::editor {
 
@@ -18,7 +17,6 @@ class SourceSection : public Section {
 
  public:
   explicit SourceSection(Document& document, QWidget* parent = nullptr);
-  ~SourceSection() override;
 
   ///   material   the current material or a previewed one; null: none
   ///   editable   false: the fields cannot be edited, as for a preview
@@ -37,7 +35,7 @@ class SourceSection : public Section {
   Document& document_;
   QuietComboBox *material_, *dataset_, *outside_, *illuminant_, *observer_;
   QLabel *result_, *body_, *spread_, *citation_;
-  QThreadPool pool_;
+  Worker pool_;
   std::string datasets_of_;
   std::optional<MeasuredF0> shown_;
   bool showing_ = false;

@@ -4,11 +4,10 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QMimeData>
-#include <QToolButton>
 
 #include "app/editor/document/files.h"
+#include "app/editor/fields/add_button.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/fields/press_id.h"
 #include "app/viewport/qt_text.h"
@@ -18,21 +17,10 @@ namespace etak::editor {
 namespace {
 
 QString title_of(Channel channel) {
-  switch (channel) {
-    case Channel::diffuse:
-      return QObject::tr("Diffuse");
-    case Channel::specular:
-      return QObject::tr("Specular");
-    case Channel::gloss:
-      return QObject::tr("Gloss");
-    case Channel::alpha:
-      return QObject::tr("Alpha opacity");
-    case Channel::emission:
-      return QObject::tr("Emission");
-    case Channel::occlusion:
-      break;
-  }
-  return QObject::tr("Occlusion");
+  if (channel == Channel::alpha) return QObject::tr("Alpha opacity");
+  QString out = qt_text(name(channel));
+  out[0] = out[0].toUpper();
+  return out;
 }
 
 bool is_picture(const QString& path) {
@@ -45,8 +33,8 @@ std::optional<Channel> channel_of_name(const QString& path) {
   const QString name = QFileInfo(path).completeBaseName().toLower();
   const auto ends = [&](std::initializer_list<const char*> words) {
     return std::any_of(words.begin(), words.end(), [&](const char* word) {
-      return name == QLatin1String(word) || name.endsWith(QLatin1Char('_') + QLatin1String(word)) ||
-             name.endsWith(QLatin1Char('-') + QLatin1String(word));
+      return name == QLatin1String(word) || name.endsWith('_' + QLatin1String(word)) ||
+             name.endsWith('-' + QLatin1String(word));
     });
   };
   if (ends({"diffuse", "diff", "albedo", "basecolor", "color"})) return Channel::diffuse;
@@ -72,31 +60,21 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
     row.path->setAccessibleName(tr("%1 texture, file").arg(title));
     row.path->setAcceptDrops(false);  // the row takes dropped files; a line would paste their address
     line->addWidget(row.path, 1);
-    const auto button = [&](const QString& label, const QString& tip) {
-      auto* tool_button = new QToolButton(box);
-      tool_button->setText(label);
-      tool_button->setToolTip(tip);
-      tool_button->setAccessibleName(tip);
-      line->addWidget(tool_button);
-      return tool_button;
-    };
-    row.open = button(QStringLiteral("\u2026"), tr("Open the %1 texture").arg(title));
-    row.look = button(tr("2D"), tr("Look at the %1 texture").arg(title));
-    row.clear = button(QStringLiteral("\u2715"), tr("Remove the %1 texture").arg(title));
+    const auto* open = add_button(*line, "\u2026", tr("Open the %1 texture").arg(title));
+    row.look = add_button(*line, tr("2D"), tr("Look at the %1 texture").arg(title));
+    row.clear = add_button(*line, "\u2715", tr("Remove the %1 texture").arg(title));
     box->setAcceptDrops(true);
     box->installEventFilter(this);
     box->setProperty("channel", static_cast<int>(channel));
     box->setAccessibleName(tr("%1 texture").arg(title));
-    box->setToolTip(
+    add(title, box,
         channel == Channel::emission || channel == Channel::occlusion
             ? tr("A picture that the number above multiplies, where the material is drawn and exported")
             : tr("A picture in the place of the number, where the material is packed and drawn"));
-    add(title, box);
-    connect(row.path, &QLineEdit::editingFinished, this, [this, channel] {
-      set(channel, rows_[static_cast<std::size_t>(channel)].path->text().trimmed());
-    });
-    connect(row.open, &QToolButton::clicked, this, [this, channel, title] {
-      const QString now = rows_[static_cast<std::size_t>(channel)].path->text();
+    connect(row.path, &QLineEdit::editingFinished, this,
+            [this, channel, path = row.path] { set(channel, path->text().trimmed()); });
+    connect(open, &QToolButton::clicked, this, [this, channel, title, path = row.path] {
+      const QString now = path->text();
       const QString file = QFileDialog::getOpenFileName(
           this, tr("%1 texture").arg(title), now.isEmpty() ? document_.folder() : now,
           tr("Pictures (%1);;All files (*)").arg(picture_patterns()));
@@ -144,23 +122,20 @@ void TextureSection::take_drop(Channel channel, const QStringList& files) {
 }
 
 void TextureSection::take_files(const QStringList& paths, Channel other) {
-  if (document_.material() == nullptr) return;
-  ProjectMaterial next = *document_.material();
-  for (const QString& path : paths) {
-    const Channel channel = channel_of_name(path).value_or(other);
-    set_texture(next, channel, ImageSource{path.toStdString(), {}, {}});
-  }
-  document_.edit(document_.current(), next, tr("textures"), next_press_id());
+  document_.change_material(tr("textures"), next_press_id(), [&](ProjectMaterial& m) {
+    for (const QString& path : paths)
+      set_texture(m, channel_of_name(path).value_or(other), ImageSource{path.toStdString(), {}, {}});
+  });
 }
 
 void TextureSection::set(Channel channel, const QString& path) {
-  if (document_.material() == nullptr) return;
-  ProjectMaterial next = *document_.material();
-  const auto& texture = next.texture(channel);
-  if (path.toStdString() == (texture ? texture->path : std::string())) return;
-  set_texture(next, channel,
-              path.isEmpty() ? std::nullopt : std::optional(ImageSource{path.toStdString(), {}, {}}));
-  document_.edit(document_.current(), next, tr("%1 texture").arg(qt_text(name(channel))), next_press_id());
+  document_.change_material(
+      tr("%1 texture").arg(qt_text(name(channel))), next_press_id(), [&](ProjectMaterial& m) {
+        const auto& texture = m.texture(channel);
+        if (path.toStdString() == (texture ? texture->path : std::string())) return;
+        set_texture(m, channel,
+                    path.isEmpty() ? std::nullopt : std::optional(ImageSource{path.toStdString(), {}, {}}));
+      });
 }
 
 void TextureSection::show_material(const ProjectMaterial* m) {

@@ -36,7 +36,7 @@ class TextureSection : public Section {
   void take_drop(Channel channel, const QStringList& files);
   struct Row {
     PathEdit* path = nullptr;
-    QToolButton *open = nullptr, *clear = nullptr, *look = nullptr;
+    QToolButton *clear = nullptr, *look = nullptr;
   };
   Document& document_;
   std::array<Row, all_channels.size()> rows_;

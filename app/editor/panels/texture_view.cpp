@@ -5,14 +5,13 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QVBoxLayout>
 #include <cmath>
 #include <optional>
 
 #include "app/editor/panels/sections.h"
 #include "app/viewport/background.h"
+#include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"
-#include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
@@ -22,14 +21,6 @@ namespace {
 
 constexpr int most_side = 1024;  // larger pictures are reduced to this side
 constexpr std::size_t most_texels = std::size_t{128} << 20;
-
-QImage rgb_image(const Image8& codes) {
-  QImage out(codes.width, codes.height, QImage::Format_RGB888);
-  for (int y = 0; y < codes.height; ++y)
-    std::copy_n(codes.at(0, y).data(), std::size_t{3} * static_cast<std::size_t>(codes.width),
-                out.scanLine(y));
-  return out;
-}
 
 using Pictures = std::array<QImage, all_channels.size()>;
 
@@ -42,7 +33,7 @@ struct Loaded {
 
 }  // namespace
 
-// What was read of the files, for as long as they and the way in which they are used stay the same. Only the
+// The pictures of the files, kept as long as the files and the way in which they are used stay the same. Only the
 // worker's thread looks into it.
 struct TextureView::FilesRead {
   std::optional<PicturesKey> key;
@@ -68,7 +59,7 @@ void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& 
   for (const Channel channel : all_channels) {
     if (!m.texture(channel)) continue;
     QImage& picture = read.pictures[static_cast<std::size_t>(channel)];
-    picture = rgb_image(channel_picture(*textures, channel));
+    picture = qt_image(channel_picture(*textures, channel));
     read.shown_size = read.shown_size.expandedTo(picture.size());
   }
   read.textures = textures;
@@ -76,10 +67,7 @@ void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& 
 
 // The codes of a channel without a picture, as they would be packed.
 QColor packed_color(const ProjectMaterial& m, const MaterialPair& numbers, Channel channel) {
-  if (channel == Channel::emission) {
-    const Srgb8 codes = srgb_u8(m.emission);
-    return {codes.r, codes.g, codes.b};
-  }
+  if (channel == Channel::emission) return qt_color(srgb_u8(m.emission));
   if (channel == Channel::occlusion) {
     const int grey = to_code(static_cast<float>(m.occlusion));
     return {grey, grey, grey};
@@ -93,7 +81,7 @@ QColor packed_color(const ProjectMaterial& m, const MaterialPair& numbers, Chann
 template <class Read>
 Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Read& read) {
   Loaded out;
-  try {
+  const auto work = [&] {
     PicturesKey key(m);
     if (!read.textures || key != read.key) {
       read_files(m, library, read);
@@ -112,11 +100,9 @@ Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Rea
         picture = QImage(1, 1, QImage::Format_RGB888);
         picture.fill(packed_color(m, numbers, channel));
       }
-  } catch (const Error& error) {
-    out.text = QString::fromUtf8(error.what());
-  } catch (const std::bad_alloc&) {
-    out.text = QObject::tr("not enough memory for these pictures");
-  }
+  };
+  const QString failure = failure_of(work, QObject::tr("not enough memory for these pictures"));
+  if (!failure.isEmpty()) out.text = failure;
   return out;
 }
 
@@ -180,9 +166,7 @@ TextureView::TextureView(Document& document, QWidget* parent)
       summary_(quiet_label(tr("About the textures"), this)),
       sheet_(new Sheet(this)) {
   setAccessibleName(tr("Textures"));
-  pool_.setMaxThreadCount(1);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(4, 4, 4, 4);
+  auto* column = panel_column(this, 6);
   auto* row = new QHBoxLayout;
   for (const Channel each : all_channels) channel_->addItem(qt_text(name(each)));
   row->addWidget(channel_);
@@ -194,11 +178,6 @@ TextureView::TextureView(Document& document, QWidget* parent)
   connect(&document, &Document::replaced, this, &TextureView::load);
   connect(&document, &Document::material_changed, this, &TextureView::load);
   load();
-}
-
-TextureView::~TextureView() {
-  pool_.clear();
-  pool_.waitForDone();
 }
 
 QString TextureView::summary() const {

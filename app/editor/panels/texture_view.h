@@ -2,10 +2,10 @@
 #pragma once
 
 #include <QImage>
-#include <QThreadPool>
 #include <QWidget>
 
 #include "app/editor/document/document.h"
+#include "app/viewport/background.h"
 
 class QLabel;
 
@@ -20,7 +20,6 @@ class TextureView : public QWidget {
 
  public:
   explicit TextureView(Document& document, QWidget* parent = nullptr);
-  ~TextureView() override;
   void show_channel(Channel channel);
   /// The textures for the viewport; null where there are none. textures_changed() is emitted when they are
   /// read.
@@ -43,7 +42,7 @@ class TextureView : public QWidget {
   QuietComboBox* channel_;
   QLabel* summary_;
   Sheet* sheet_;
-  QThreadPool pool_;
+  Worker pool_;
   std::optional<ProjectMaterial> loaded_;
   std::shared_ptr<FilesRead> read_;
   bool reading_ = false;

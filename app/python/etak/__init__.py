@@ -175,7 +175,7 @@ def f0(
         for name in ("columns", "duplicates", "material_class", "origin"):
             if given[name] is not None:
                 raise Error(f"{name}: is given beside arrays; expected a table in a file")
-        return _core.f0_of_rows(n, k, reflectance, wavelength, given, library, threads)
+        return _core.f0_of_rows(given, library, threads)
     if n is not None or k is not None or reflectance is not None or wavelength is not None:
         raise Error("material: is given beside arrays; expected one of the two")
     several = isinstance(material, (list, tuple))
@@ -227,7 +227,7 @@ def fresnel(
            [1.041, 0.781, 0.355],
            [1.   , 1.   , 1.   ]])
     """
-    return _core.fresnel(material, cos_theta, form, dataset, locals(), library, threads)
+    return _core.fresnel(material, cos_theta, locals(), library, threads)
 
 
 def fresnel_forms() -> "dict[str, str]":
@@ -290,7 +290,7 @@ def pack(
     >>> packed.materials, packed.report.passed
     (2, True)
     """
-    return _documents().packed_of(_core.pack(input, output, locals(), settings, library, threads, progress), fail_on)
+    return _documents().packed_of(_core.pack(locals(), settings, library, threads, progress), fail_on)
 
 
 def pack_settings() -> "dict[str, str]":
@@ -319,8 +319,7 @@ def choose(
     >>> choice.fresnel, choice.met
     ('f82', True)
     """
-    return _documents().choices_of(
-        _core.choose(materials, budget, codes, gloss, roughness, costs, library, threads, progress))
+    return _documents().choices_of(_core.choose(materials, locals(), library, threads, progress))
 
 
 def nearest(
