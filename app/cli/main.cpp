@@ -9,9 +9,9 @@
 #include <system_error>
 #include <vector>
 
-#include "app/cli/completion/man.h"
+#include "app/cli/completion/shells.h"
 #include "app/cli/options/common.h"
-#include "app/cli/options/files.h"
+#include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"

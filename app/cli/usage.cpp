@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "app/cli/output/output.h"
-#include "app/cli/output/terminal.h"
 #include "core/base/error.h"
 #include "core/base/system.h"
 #include "core/base/text/edit_distance.h"

@@ -11,10 +11,10 @@
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
 #include "core/color/srgb.h"
+#include "core/exchange/f0_worker.h"
 #include "core/exchange/viewing_file.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
-#include "core/pages/f0/worker.h"
 #include "core/spectrum/own_viewing.h"
 
 namespace etak::python {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files/cache_use.h"
 #include "core/findings/repair_report.h"
 #include "core/judge/finding.h"
 #include "core/judge/settings.h"
+#include "core/runs/cache_use.h"
 
 namespace etak {
 

@@ -8,6 +8,7 @@
 namespace etak::function_rows {
 
 std::span<const Function> fresnel();
+std::span<const Function> films();
 std::span<const Function> distributions();
 std::span<const Function> reflectance();
 std::span<const Function> lighting();

@@ -62,7 +62,7 @@ std::optional<NamedText> as_gloss(const Function& function, const NamedText& inp
 std::span<const Function> functions() {
   static const std::vector<Function> all = [] {
     std::vector<Function> out;
-    for (const auto rows : {function_rows::fresnel(), function_rows::distributions(),
+    for (const auto rows : {function_rows::fresnel(), function_rows::films(), function_rows::distributions(),
                             function_rows::reflectance(), function_rows::lighting()})
       out.insert(out.end(), rows.begin(), rows.end());
     return out;

@@ -12,9 +12,11 @@ namespace {
 
 void count_samples(const Spectrum& table, Coverage& coverage) {
   const auto& w = table.wavelength_nm;
-  for (std::size_t i = 0; i < w.size(); ++i) {
-    if (w[i] >= core_first_nm && w[i] <= core_last_nm) ++coverage.samples_400_700;
-    if (i == 0 || w[i] <= core_first_nm || w[i - 1] >= core_last_nm) continue;
+  const auto first = std::lower_bound(w.begin(), w.end(), core_first_nm) - w.begin();
+  for (auto i = static_cast<std::size_t>(first); i < w.size(); ++i) {
+    if (w[i] <= core_last_nm) ++coverage.samples_400_700;
+    if (i == 0 || w[i] == core_first_nm) continue;
+    if (w[i - 1] >= core_last_nm) break;
     const double gap = std::min(w[i], core_last_nm) - std::max(w[i - 1], core_first_nm);
     coverage.largest_gap_nm = std::max(coverage.largest_gap_nm, gap);
   }

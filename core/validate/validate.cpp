@@ -15,10 +15,9 @@
 #include "core/findings/report.h"
 #include "core/findings/shards/report_shard.h"
 #include "core/validate/files/check.h"
-#include "core/validate/files/checked_before.h"
 #include "core/validate/files/cut_targets.h"
 #include "core/validate/files/project_check.h"
-#include "core/validate/files/result_cache.h"
+#include "core/validate/files/result_text.h"
 #include "core/validate/files/tiles.h"
 #include "core/validate/find/find_targets.h"
 
@@ -76,20 +75,11 @@ class Checks {
   }
 
  private:
-  // Of the file that the report gives the hash of, where the look-up has read it; else empty.
-  std::string hash_of_first(std::size_t i) const {
-    const FoundTarget& found = targets_[i];
-    if (found.target.files.empty()) return {};
-    for (std::size_t at = 0; at < keys_[i].hashes.size(); ++at)
-      if (found.depends[at] == found.target.files.front().path) return keys_[i].hashes[at];
-    return {};
-  }
-
   // Keeps the result of a target and moves the target there. What only its check needed is freed here, by the
   // thread that has made it.
   void finish(std::size_t i, CheckedFile file) {
     FoundTarget& found = targets_[i];
-    if (request_.hashes) file.sha256 = hash_of_first(i);
+    if (request_.hashes) file.sha256 = keys_[i].sha256;
     file.place = found.place;
     file.target = std::make_shared<const CheckTarget>(std::move(found.target));
     files_[i] = std::move(file);
@@ -98,11 +88,25 @@ class Checks {
     done_[i] = 1;
   }
 
+  // What is known of the files of a target before they are read, where its result is kept for the next run.
+  std::vector<sys::FileInfo> known_files(const FoundTarget& found) const {
+    return request_.before ? look_at(found.depends) : std::vector<sys::FileInfo>();
+  }
+
+  void keep_before(const FoundTarget& found, const std::vector<sys::FileInfo>& known,
+                   const CheckedFile& file) {
+    if (!request_.before || file.unreadable) return;
+    CheckedFile kept = file;
+    kept.target = nullptr;
+    kept.stats = {};  // of work that the next run does not do
+    request_.before->keep(identity_of(found), found.depends, known, std::move(kept));
+  }
+
   void look_back(const std::string& settings) {
     request_.before->begin(settings);
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
-        auto file = request_.before->find(targets_[i]);
+        auto file = request_.before->find(identity_of(targets_[i]), targets_[i].depends);
         if (!file) continue;
         finish(i, std::move(*file));
       }
@@ -111,16 +115,26 @@ class Checks {
   }
 
   void look_up(const std::string& settings) {
-    cache_.emplace(request_.cache, settings, request_.version);
+    CacheOptions options = request_.cache;
+    options.kind = "validate";
+    cache_.emplace(std::move(options), settings, request_.version);
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
         if (done_[i] != 0) continue;
-        std::vector<sys::FileInfo> before;
-        if (request_.before) before = CheckedBefore::look_at(targets_[i]);
-        keys_[i] = cache_->key_of(targets_[i]);
-        auto file = cache_->find(keys_[i]);
-        if (!file) continue;
-        if (request_.before) request_.before->keep(targets_[i], before, *file);
+        const FoundTarget& found = targets_[i];
+        const auto before = known_files(found);
+        const auto& files = found.target.files;
+        keys_[i] =
+            cache_->key_of(identity_of(found), found.depends, found.plain ? SeenAsFile::yes : SeenAsFile::no,
+                           request_.hashes && !files.empty() ? &files.front().path : nullptr);
+        const auto text = cache_->find(keys_[i]);
+        if (!text) continue;
+        auto file = read_result_text(*text);
+        if (!file) {
+          cache_->folder().refuse_hit();
+          continue;
+        }
+        keep_before(found, before, *file);
         finish(i, std::move(*file));
       }
     });
@@ -134,11 +148,11 @@ class Checks {
       files_[i] = check_material(materials.materials[i - targets_.size()], *materials.library, request_.door,
                                  settings, materials.most_texels, threads, materials.kept.get());
     } else {
-      std::vector<sys::FileInfo> before;
-      if (request_.before) before = CheckedBefore::look_at(targets_[i]);
-      CheckedFile file = check(targets_[i].target, request_.door, settings, threads);
-      if (request_.before) request_.before->keep(targets_[i], before, file);
-      if (cache_) cache_->keep(keys_[i], targets_[i], file);
+      const FoundTarget& found = targets_[i];
+      const auto before = known_files(found);
+      CheckedFile file = check(found.target, request_.door, settings, threads);
+      keep_before(found, before, file);
+      if (cache_ && !file.unreadable) cache_->keep(keys_[i], found.depends, result_text(file));
       return finish(i, std::move(file));
     }
     done_[i] = 1;

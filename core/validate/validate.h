@@ -8,20 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files/cache_use.h"
-#include "core/base/shards/shards.h"
 #include "core/findings/baseline.h"
 #include "core/findings/report.h"
 #include "core/findings/verdict_options.h"
 #include "core/image/picture.h"
 #include "core/judge/target.h"
 #include "core/project/project.h"
+#include "core/runs/cache_use.h"
+#include "core/runs/shards.h"
 #include "core/validate/config.h"
 #include "core/validate/names/listing.h"
 
 namespace etak {
 
-class CheckedBefore;  // core/validate/files/checked_before.h
+class CheckedBefore;  // core/validate/files/result_text.h
 class KeptPictures;
 
 // The interface of the validator (target etak::validate_files). check_pack.h checks an atlas while it is

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/validate/files/result_cache.h"
+#include "core/validate/files/result_text.h"
 
 using namespace etak;
 

@@ -16,17 +16,17 @@ using namespace etak;
 namespace {
 
 void check(const RiiPage& page) {
-  if (page.optics.k) {
-    validate(*page.optics.k, "k");
-    for (const double k : page.optics.k->value) assert(k >= 0);
+  if (page.constants().k) {
+    validate(*page.constants().k, "k");
+    for (const double k : page.constants().k->value) assert(k >= 0);
   }
-  if (const auto* formula = std::get_if<DispersionFormula>(&page.optics.n)) {
+  if (const auto* formula = std::get_if<DispersionFormula>(&page.constants().n)) {
     validate(*formula, "formula");
     const std::array<double, 3> at{360, 555, 830};
     std::array<double, 3> n{};
     evaluate(*formula, at, n);
   } else if (page.refusal.empty()) {
-    validate(std::get<Spectrum>(page.optics.n), "n");
+    validate(std::get<Spectrum>(page.constants().n), "n");
   }
 }
 

@@ -9,19 +9,10 @@ namespace {
 // The command that offers what may stand for the option's value; empty where nothing is known of it.
 std::string bash_offer(const OptionRow& option) {
   if (!option.words.empty()) return "_etak_words '" + joined(option.words, " ") + "'";
-  const Completes kind = completes(option);
-  switch (kind) {
-    case Completes::nothing:
-      return "";
-    case Completes::files:
-      return "_etak_files";
-    case Completes::folders:
-      return "_etak_folders";
-    case Completes::materials:
-      return "_etak_names materials; _etak_files";
-    default:
-      return "_etak_names " + std::string(name(kind));
-  }
+  const std::string kind(completes(option));
+  if (kind.empty()) return "";
+  if (kind == "files" || kind == "folders") return "_etak_" + kind;
+  return "_etak_names " + kind + (kind == "materials" ? "; _etak_files" : "");
 }
 
 constexpr const char* bash_begin = R"sh(# bash completion of etak; made by: etak completion bash

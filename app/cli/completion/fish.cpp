@@ -16,21 +16,13 @@ std::string fish_word(std::string_view text) {
 // What may stand for the value: the flags of complete(1) of fish.
 std::string fish_offer(const OptionRow& option) {
   if (!option.words.empty()) return " -x -a " + fish_word(joined(option.words, " "));
-  const Completes kind = completes(option);
-  const std::string words = "etak completion --words " + std::string(name(kind));
-  switch (kind) {
-    case Completes::nothing:
-      return " -x";
-    case Completes::files:
-      return " -r -F";
-    case Completes::folders:
-      return " -x -a '(__fish_complete_directories)'";
-    case Completes::materials:
-      return " -r -F -a " + fish_word("(" + words + ")");
-    default:
-      return " -x -a " + fish_word(is_list(option) ? "(__fish_complete_list , " + fish_word(words) + ")"
-                                                   : "(" + words + ")");
-  }
+  const std::string kind(completes(option)), words = "etak completion --words " + kind;
+  if (kind.empty()) return " -x";
+  if (kind == "files") return " -r -F";
+  if (kind == "folders") return " -x -a '(__fish_complete_directories)'";
+  if (kind == "materials") return " -r -F -a " + fish_word("(" + words + ")");
+  return " -x -a " +
+         fish_word(is_list(option) ? "(__fish_complete_list , " + fish_word(words) + ")" : "(" + words + ")");
 }
 
 }  // namespace

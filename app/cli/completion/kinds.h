@@ -10,29 +10,14 @@
 
 namespace etak::cli {
 
-/// What a shell offers for the value of an option: files, or names that etak knows.
-enum class Completes {
-  nothing,
-  files,
-  folders,
-  materials,  // and files, since every verb that takes the name of a material takes its file too
-  classes,
-  rules,
-  models,
-  diffuse_models,
-  functions,
-  targets,
-  spaces,
-  verbs
-};
-std::string_view name(Completes kind);  // "materials"
+/// What a shell offers for the value of an option: "files", "folders", or one of named_kinds(), whose names etak
+/// knows; empty where the value is no name, and where the option lists its words itself. By what stands for the
+/// value in the help. Materials come with files, since every verb that takes the name of a material takes its
+/// file too.
+std::string_view completes(const OptionRow& option);
 
-/// The kinds whose values etak knows: all but nothing, files and folders.
+/// "materials", "classes", ...: the kinds whose names names_of() tells.
 std::vector<std::string> named_kinds();
-
-/// By what stands for the option's value in the help. `nothing` where the value is no name, and where the
-/// option lists its words itself.
-Completes completes(const OptionRow& option);
 
 /// Whether the value is a list of names with ',' between.
 bool is_list(const OptionRow& option);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/completion/man.h"
+#include "app/cli/completion/shells.h"
 
 #include <algorithm>
 #include <utility>

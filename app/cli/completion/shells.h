@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/option_table.h"
@@ -19,5 +20,9 @@ std::string zsh_completion(const std::vector<VerbRow>& table);
 
 /// For fish 3 and newer, such as in share/fish/vendor_completions.d/etak.fish.
 std::string fish_completion(const std::vector<VerbRow>& table);
+
+/// The manual page of section 1 of `verb`, of etak itself where it is empty, in the man macros of roff. Without a
+/// date, so that the page is that of the program alone. Throws Error for a verb that the table does not have.
+std::string manual_page(const std::vector<VerbRow>& table, std::string_view verb);
 
 }  // namespace etak::cli

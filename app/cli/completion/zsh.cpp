@@ -21,17 +21,11 @@ std::string value_of(const OptionRow& option) {
   if (option.value.empty()) return "";
   const std::string shown = ":" + quoted(option.value, ":\\") + ":";
   if (!option.words.empty()) return shown + "(" + joined(option.words, " ") + ")";
-  const Completes kind = completes(option);
-  switch (kind) {
-    case Completes::nothing:
-      return shown;
-    case Completes::files:
-      return shown + "_files";
-    case Completes::folders:
-      return shown + "_files -/";
-    default:
-      return shown + "{_etak_names " + std::string(name(kind)) + "}";
-  }
+  const std::string kind(completes(option));
+  return shown + (kind.empty()        ? ""
+                  : kind == "files"   ? "_files"
+                  : kind == "folders" ? "_files -/"
+                                      : "{_etak_names " + kind + "}");
 }
 
 // The specifications of _arguments: one for each name of an option, which exclude each other.

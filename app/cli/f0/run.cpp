@@ -7,20 +7,19 @@
 #include <set>
 
 #include "app/cli/inputs/inputs.h"
-#include "app/cli/options/empty_list.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
-#include "app/cli/output/terminal.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
 #include "core/base/system.h"
+#include "core/exchange/f0_worker.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
-#include "core/pages/f0/worker.h"
 
 namespace etak::cli {
 namespace {
@@ -95,9 +94,9 @@ void answer_one(const MaterialInput& input, const F0Job& job, const F0Arguments&
     F0Outcome outcome = worker.answer(input, job);
     count(outcome, input, out.tally);
     if (outcome.kind != F0Outcome::Kind::answered) return;
-    worker.start_lap(job);
+    Stopwatch watch(job.timed);
     add_row(std::move(outcome.row), arguments, job.solver.options(), out);
-    worker.lap(worker.times.print, job);
+    watch.lap(worker.times.print);
   } catch (const Error& error) {
     ++out.tally.failed;
     out.errors.emplace_back(error.what());
@@ -116,12 +115,13 @@ MaterialReport html_report(const MaterialInput& input, const F0Job& job, F0Worke
   if (input.from_folder) {
     // Files of a folder that are no pages, and pages without n, have nothing to show.
     outcome = worker.answer(input, job);
-    if (outcome.kind != F0Outcome::Kind::answered || outcome.without_optics) {
+    if (!outcome.material) {
       count(outcome, input, tally);
       return {};
     }
   }
-  MaterialReport report{read_material(input, job.tables), {}};
+  MaterialReport report{outcome.material ? std::move(*outcome.material) : read_material(input, job.tables),
+                        {}};
   for (const Dataset& dataset : report.material.datasets)
     report.results.push_back(solve(job.solver, report.material, dataset));
   outcome.row.result = report.results[report.material.preferred];
@@ -350,8 +350,9 @@ int answer_f0(F0Arguments& arguments) {
   if (!arguments.library.folders.empty()) (void)arguments.library.get();
   const F0Solver solver(f0_options(arguments.compute, arguments.library));
   const bool with_source = output.format != "csv";
-  const F0Job job{solver, table_options(arguments.tables), arguments.compute.axis_average, with_source,
-                  arguments.stats};
+  const F0Job job{
+      solver,          table_options(arguments.tables), arguments.compute.axis_average, with_source,
+      arguments.stats, output.format == "html"};
   keep_worker_memory();
   return F0Run(arguments, job, thread_count(arguments.threads)).answer_all();
 }

@@ -6,7 +6,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/output/output.h"
-#include "core/base/files/cache_folder.h"
+#include "core/runs/cache_folder.h"
 
 namespace etak::cli {
 

@@ -2,15 +2,20 @@
 #include "app/cli/options/options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <string>
 #include <thread>
 
 #include "app/cli/output/output.h"
 #include "app/cli/pictures/pictures.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
+#include "core/base/files/links.h"
 #include "core/base/number.h"
+#include "core/base/text/ascii.h"
 #include "core/base/text/edit_distance.h"
+#include "core/color/srgb.h"
 #include "core/exchange/viewing_file.h"
 #include "core/material/find.h"
 
@@ -130,6 +135,55 @@ void add_thread_option(Command verb, unsigned& threads) {
       .range(1u, 256u)
       .in_shards(InShards::free)
       .common();
+}
+
+void add_color_option(Command verb, const char* name, std::string& value, const char* help) {
+  verb.option(name, value, help).value_name("R,G,B|#RRGGBB");
+}
+
+LinearRgb typed_emission(std::string_view text) {
+  const LinearRgb out = typed_color("--emission", text);
+  for (const double value : vec(out))
+    if (!(value >= 0 && std::isfinite(value)))
+      throw Error::at("--emission", number(value, 6), "finite numbers of at least 0");
+  return out;
+}
+
+void add_roughness_options(Command verb, RoughnessArguments& arguments, const char* whose) {
+  verb.option("--gloss", arguments.gloss,
+              std::string("Schueler's g ") + whose +
+                  ", 0 to 1: exponent 2^(12 g); it reaches roughness 0.904 to 0.149 (default by class)")
+      .value_name("G");
+  verb.option("--roughness", arguments.roughness,
+              std::string("perceptual roughness ") + whose +
+                  " in place of --gloss, 0 (mirror) to 1: width of the lobe R^2")
+      .value_name("R");
+}
+
+void add_allow_empty_option(Command verb, bool& allow_empty) {
+  verb.flag("--allow-empty", allow_empty, "a --files-from that names nothing is no failure");
+}
+
+Error empty_list(const std::string& list) {
+  return Error::at("--files-from " + printable(list, 200), "names nothing", "names, or --allow-empty");
+}
+
+void add_follow_links(Command verb) {
+  verb.flag(
+          "--follow-links", [] { set_follow_links(true); },
+          "follow links that lead out of the folder of a scene, manifest, layout or search")
+      .common();
+}
+
+void add_input_timeout(CommandLine& line) {
+  constexpr double longest = 1e6;
+  for (Command verb : line.verbs())
+    verb.option("--input-timeout", std::function<void(double)>(set_input_timeout),
+                "how long a named pipe may be silent at first (default 60); standard input may for ever")
+        .value_name("SECONDS")
+        .range(0.0, longest)
+        .in_shards(InShards::free)
+        .common();
 }
 
 }  // namespace etak::cli

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/cli/inputs/inputs.h"
-#include "app/cli/options/color.h"
+#include "app/cli/options/options.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"

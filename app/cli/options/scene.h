@@ -8,7 +8,6 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/options/options.h"
-#include "app/cli/options/roughness.h"
 #include "core/render/typed.h"
 
 namespace etak::cli {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
-#include "core/base/shards/shards.h"
+#include "core/runs/shards.h"
 
 namespace etak::cli {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/cli/output/terminal.h"
+#include "app/cli/output/output.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/json/json_text.h"
 #include "core/base/number.h"

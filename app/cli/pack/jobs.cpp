@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/pack/jobs.h"
+#include "app/cli/pack/pack.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,15 +9,14 @@
 #include "app/cli/options/shard.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
-#include "app/cli/pack/kept.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
-#include "core/base/files/watched_files.h"
 #include "core/base/json/json_text.h"
 #include "core/base/system.h"
+#include "core/runs/watched_files.h"
 #include "core/scene/gltf.h"
 
 namespace etak::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/pack/kept.h"
+#include "app/cli/pack/pack.h"
 
 #include <array>
 

@@ -7,11 +7,9 @@
 
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
-#include "app/cli/pack/jobs.h"
-#include "app/cli/pack/kept.h"
 #include "app/cli/pack/page.h"
 #include "app/cli/pictures/pictures.h"
-#include "app/cli/validate/request.h"
+#include "app/cli/validate/validate.h"
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/cli/options/options.h"
-#include "app/cli/options/roughness.h"
 #include "app/cli/output/output.h"
 
 namespace etak::cli {

@@ -11,7 +11,6 @@
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/pictures/sheet.h"
-#include "app/cli/pictures/sweep.h"
 #include "core/base/error.h"
 #include "core/base/files/output_target.h"
 #include "core/base/json/json_text.h"

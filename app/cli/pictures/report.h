@@ -18,13 +18,6 @@ struct ReportArguments {
   unsigned threads = 0;
 };
 
-/// The options of `etak stability`.
-struct StabilityArguments {
-  OutputArguments output;
-  std::string device = "cpu";
-  bool all = false;
-};
-
 /// Does the work of `etak report`, in the module of pictures.h. Returns the exit status; throws Error.
 int measure(ReportArguments& arguments);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include "app/cli/pictures/render.h"
 #include "core/image/image.h"
 
@@ -16,5 +18,10 @@ namespace etak::cli {
 ///               background, exposure and transfer are used
 ///   scene       gets exposure and transfer, for writing the sheet
 Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene);
+
+/// Draws the objects of --sweep side by side, each under its value. Throws Error for anything but
+/// NAME=FIRST:LAST:COUNT (numbers at even steps) or NAME=VALUE,VALUE,..., with 2 to 64 values.
+///   drawn   the picture of one of them
+Image draw_sweep(const RenderArguments& arguments, const std::function<Image(RenderArguments&)>& drawn);
 
 }  // namespace etak::cli

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/pictures/sweep.h"
-
 #include <cmath>
 
+#include "app/cli/pictures/sheet.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text/text.h"
@@ -28,13 +27,17 @@ std::vector<std::string> even_steps(const std::string& text, const std::vector<s
   return out;
 }
 
+// The values of --sweep.
+struct Sweep {
+  std::string name;
+  std::vector<std::string> values;
+};
+
 double number_of(const Sweep& sweep, const std::string& value) {
   double out = 0;
   if (!parse_number(value, out)) throw Error::at("--sweep", sweep.name + "=" + printable(value), "a number");
   return out;
 }
-
-}  // namespace
 
 Sweep parse_sweep(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -47,6 +50,7 @@ Sweep parse_sweep(const std::string& text) {
   return out;
 }
 
+// The options with one value of the sweep in their place.
 RenderArguments with_value(const RenderArguments& arguments, const Sweep& sweep, const std::string& value) {
   RenderArguments out = arguments;
   SceneArguments& scene = out.scene;
@@ -66,6 +70,8 @@ RenderArguments with_value(const RenderArguments& arguments, const Sweep& sweep,
   }
   return out;
 }
+
+}  // namespace
 
 Image draw_sweep(const RenderArguments& arguments, const std::function<Image(RenderArguments&)>& drawn) {
   const Sweep sweep = parse_sweep(arguments.sweep);

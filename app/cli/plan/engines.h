@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/shards/shards.h"
+#include "core/runs/shards.h"
 
 namespace etak::cli {
 

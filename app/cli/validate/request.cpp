@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/validate/request.h"
+#include "app/cli/validate/validate.h"
 
 #include <utility>
 
 #include "app/cli/inputs/inputs.h"
-#include "app/cli/options/empty_list.h"
+#include "app/cli/options/options.h"
 #include "app/cli/options/shard.h"
 #include "app/cli/pictures/pictures.h"
 #include "app/cli/validate/changed.h"

@@ -11,7 +11,6 @@
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/pictures/pictures.h"
-#include "app/cli/validate/request.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/output_file.h"

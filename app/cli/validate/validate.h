@@ -13,10 +13,7 @@
 #include "core/base/files/output.h"
 #include "core/findings/shards/report_shard.h"
 #include "core/validate/config.h"
-
-namespace etak {
-class CheckedBefore;  // core/validate/files/checked_before.h
-}
+#include "core/validate/validate.h"
 
 namespace etak::cli {
 
@@ -57,5 +54,16 @@ int finish_report(const ValidateArguments& arguments, const Settings& settings, 
 
 /// The verdict that the options ask for.
 VerdictOptions verdict_options(const ValidateArguments& arguments);
+
+/// The materials of the library with the folders of --library and ETAK_LIBRARY; null where there are no such
+/// folders, which stands for the built-in library. Throws Error for a folder that cannot be read.
+std::shared_ptr<const KnownMaterials> asked_materials(Library& library);
+
+/// The request for validate() that the line describes. Throws Error.
+ValidationRequest validation_request(ValidateArguments& arguments);
+
+/// Checks the files, and again whenever one of them changes, until the process is interrupted. Throws Error for
+/// options that do not go with it, and what the first check throws.
+int watch_files(ValidateArguments& arguments);
 
 }  // namespace etak::cli

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/validate/watch.h"
+#include "app/cli/validate/validate.h"
 
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/files/input.h"
-#include "core/base/files/watched_files.h"
 #include "core/base/system.h"
-#include "core/validate/files/checked_before.h"
+#include "core/runs/watched_files.h"
+#include "core/validate/files/result_text.h"
 
 namespace etak::cli {
 namespace {

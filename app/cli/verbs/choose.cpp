@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "app/cli/options/files.h"
+#include "app/cli/options/options.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/pictures/choose.h"
 #include "app/cli/pictures/pictures.h"

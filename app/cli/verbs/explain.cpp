@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "app/cli/output/output.h"
-#include "app/cli/output/terminal.h"
 #include "app/cli/verbs.h"
 #include "core/base/system.h"
 #include "core/findings/output/explain.h"

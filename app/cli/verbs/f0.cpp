@@ -3,7 +3,6 @@
 
 #include "app/cli/f0/run.h"
 #include "app/cli/inputs/inputs.h"
-#include "app/cli/options/empty_list.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "app/cli/inputs/inputs.h"
-#include "app/cli/options/color.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"

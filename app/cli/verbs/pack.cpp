@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "app/cli/options/files.h"
+#include "app/cli/options/options.h"
 #include "app/cli/options/shard.h"
 #include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"
-#include "app/cli/pack/jobs.h"
+#include "app/cli/pack/pack.h"
 #include "app/cli/verbs.h"
 #include "core/base/text/ascii.h"
 

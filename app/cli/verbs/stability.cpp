@@ -4,12 +4,17 @@
 #include "app/cli/output/output.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/pictures/pictures.h"
-#include "app/cli/pictures/report.h"
 #include "app/cli/verbs.h"
 #include "core/pages/stability_report.h"
 
 namespace etak::cli {
 namespace {
+
+struct StabilityArguments {
+  OutputArguments output;
+  std::string device = "cpu";
+  bool all = false;
+};
 
 int show_stability(const StabilityArguments& arguments) {
   check_output(arguments.output);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "app/cli/options/files.h"
 #include "app/cli/options/options.h"
 #include "app/cli/options/shard.h"
 #include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/validate/validate.h"
-#include "app/cli/validate/watch.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/findings/output/explain.h"

@@ -2,6 +2,7 @@
 #include "core/atlas/pack/identity.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <type_traits>
 #include <vector>
 
@@ -57,7 +58,9 @@ std::vector<std::string> input_files(const PackOptions& options, const PackSourc
     files.insert(files.end(), m.files.begin(), m.files.end());
     if (m.normal.is_image()) files.push_back(m.normal.path);
   }
-  if (source.scene) source.scene->add_files(files);
+  if (source.scene)
+    for (const PictureFile& image : source.scene->scene.images)
+      if (!image.path.empty() && std::filesystem::exists(image.path)) files.push_back(image.path);
   if (!options.input.space_config.empty()) files.push_back(options.input.space_config);
   std::sort(files.begin(), files.end());
   files.erase(std::unique(files.begin(), files.end()), files.end());

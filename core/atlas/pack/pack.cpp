@@ -67,10 +67,12 @@ void learn_floats(PackInputs& inputs) {
 
 // Writes the files beside the pages and marks files of the earlier atlas that are no longer needed for
 // removal. Returns the names of all files of the atlas, sorted.
-std::vector<std::string> complete(OutputFolder& folder, const PackOptions& options, const PackSource& source,
-                                  const EarlierAtlas& earlier, PackResult& result) {
+std::vector<std::string> complete(const PackOptions& options, const PackSource& source,
+                                  const EarlierAtlas& earlier, const MadePages& made, PackResult& result) {
+  OutputFolder& folder = *made.folder;
   AtlasLayout& layout = result.layout;
-  if (source.scene) layout.other_files = source.scene->write_scene(folder, layout);
+  if (source.scene)
+    layout.other_files = write_scene(folder, layout, *source.scene, made.scene, made.scene_pictures);
   std::set<std::string> files(layout.other_files.begin(), layout.other_files.end());
   for (const AtlasPage& page : layout.pages)
     for (const auto& names : page.files) files.insert(names.begin(), names.end());
@@ -113,7 +115,7 @@ std::optional<int> least_clean_levels(const PackingPlan& plan) {
 
 // Puts what was decided into the result.
 void tell(const PackSource& source, const PackDecision& decision, const std::vector<Learned>& learned,
-          PackResult& result) {
+          const SceneChoice& scene, PackResult& result) {
   const PackingPlan& plan = decision.plan;
   result.regions = decision.regions.size();
   result.pages = plan.pages;
@@ -133,7 +135,8 @@ void tell(const PackSource& source, const PackDecision& decision, const std::vec
   if (source.one_page) account_of_parts(*source.one_page, decision, result);
   result.left_out.fates.clear();
   tell_clamped(source.inputs, learned, result.remarks);
-  if (source.scene) source.scene->add_remarks(result.remarks);
+  if (source.scene) add_remarks(*source.scene, scene, result.remarks);
+  result.forms = scene.costs;
 }
 
 void put_all_in_place(const PackOptions& options, OutputFolder* folder, PackStages& stages,
@@ -208,10 +211,9 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
     result.layout.content_hash = content ? *content : content_hash(options, source);
     check_unchanged(stamps);
   });
-  if (made->folder) result.files = complete(*made->folder, options, source, earlier, result);
-  tell(source, decision, learned, result);
+  if (made->folder) result.files = complete(options, source, earlier, *made, result);
+  tell(source, decision, learned, made->scene, result);
   result.goal = options.output.goal;
-  if (source.scene) result.forms = source.scene->form_costs();
   if (made->folder)
     stages.timed("totals",
                  [&] { result.totals = pack_totals(source, options, result.layout, *made->folder); });

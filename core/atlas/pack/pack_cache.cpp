@@ -84,7 +84,8 @@ std::string PackCache::key_of(const PackJobIdentity& job) const {
     files.push_back(job.input);
   }
   for (const std::string& file : files) {
-    const std::string hash = sha256_of_file(file);
+    sys::FileInfo info;
+    const std::string hash = folder_.hash_of(file, info);
     if (hash.empty()) return {};
     text += file + '\n' + hash + '\n';
   }
@@ -98,7 +99,7 @@ std::string PackCache::second_key(const std::string& first, const std::vector<st
   std::vector<std::string> hashes(files.size());
   parallel_chunks(files.size(), threads_, 1, [&](std::size_t begin, std::size_t, unsigned) {
     sys::FileInfo info;
-    std::string hash = sha256_of_file(files[begin], info);
+    std::string hash = folder_.hash_of(files[begin], info);
     // The bytes of a pipe are kept in memory and do not change.
     if (expected == nullptr || is_pipe_input(files[begin]) || same_stamp(info, (*expected)[begin].second))
       hashes[begin] = std::move(hash);

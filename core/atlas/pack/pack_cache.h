@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/files/cache_folder.h"
 #include "core/base/files/output_folder.h"
 #include "core/base/files/steady_file.h"
+#include "core/runs/cache_folder.h"
 
 namespace etak {
 

@@ -47,15 +47,13 @@ bool may_be_cut(const PackOptions& options, const PackSource& source) {
   return !source.scene && write.formats == std::vector<std::string>{"png"};
 }
 
-// The files of a page that is whole.
-void write_files(OutputFolder& folder, int p, const PlannedPage& page, const PagePixels& pixels,
-                 const PackSource& source, const PackDecision& decision, const WriteOptions& write,
-                 const PackStages& stages) {
+void write_files(const WholePage& page, const PackSource& source, const PackStages& stages, MadePages& to) {
   for (const Texture texture : both_textures) {
     stages.stop_if_cancelled();
-    if (page.has[index_of(texture)]) write_page(folder, p, texture, pixels, write);
+    if (page.decision.plan.pages[static_cast<std::size_t>(page.number)].has[index_of(texture)])
+      write_page(*to.folder, page.number, texture, page.pixels, page.options);
   }
-  if (source.scene) source.scene->write_page(folder, p, pixels, decision, write);
+  if (source.scene) to.scene_pictures.merge(write_page(*to.folder, page, *source.scene, to.scene));
 }
 
 void write_floats(OutputFolder& folder, int p, const FloatPage& page, const PackOptions& options) {
@@ -92,7 +90,7 @@ void weigh_pages(const PackOptions& options, PackSource& source, PackDecision& d
       progress.region();
     });
     composer.mips(p, pixels);
-    source.scene->weigh_page(p, pixels, decision, write);
+    weigh_page(*source.scene, p, pixels, decision, write);
     progress.written(2 * PackProgress::texels_of(page));
   }
 }
@@ -108,7 +106,7 @@ PackDecision lightest(const PackOptions& options, PackSource& source, std::vecto
     stages.timed("weighing", [&] {
       ways[i].sizes.emplace();
       weigh_pages(options, source, ways[i], stages);
-      const std::pair weight(source.scene->choose_pictures(ways[i]), ways[i].plan.page_texels());
+      const std::pair weight(choose_pictures(*source.scene, ways[i]).weight, ways[i].plan.page_texels());
       if (!least || weight < *least) least = weight, best = i;
     });
   return std::move(ways[best]);
@@ -126,7 +124,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, PackSource& sour
     made.folder->limit_mode(strictest_mode(input_files(options, source)));
     refuse_strangers(options, earlier, decision);
   }
-  if (source.scene) source.scene->choose_pictures(decision);
+  if (source.scene) made.scene = choose_pictures(*source.scene, decision);
   const ComposeOptions compose{options.run.threads, source.inputs.gloss, options.output.bleed};
   Composer composer(materials, regions, plan, compose);
   PagePixels pixels;
@@ -176,8 +174,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, PackSource& sour
     stages.timed("gutters and mips", [&] { composer.mips(p, pixels); });
     check(p);
     if (!made.folder) continue;
-    stages.timed("write",
-                 [&] { write_files(*made.folder, p, page, pixels, source, decision, write, stages); });
+    stages.timed("write", [&] { write_files({p, pixels, decision, write}, source, stages, made); });
     if (!writes_floats(write)) continue;
     stages.timed("floats", [&] {
       write_floats(*made.folder, p, compose_floats(p, levels, materials, regions, plan, compose), options);

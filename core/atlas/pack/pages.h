@@ -3,10 +3,13 @@
 
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/atlas/pack/decision.h"
 #include "core/atlas/pack/earlier.h"
+#include "core/atlas/pack/scene/scene_output.h"
 #include "core/atlas/pack/source.h"
 #include "core/atlas/pack/stages.h"
 #include "core/base/files/output_folder.h"
@@ -17,6 +20,8 @@ namespace etak {
 struct MadePages {
   std::unique_ptr<OutputFolder> folder;  // with the files of all pages, not in place yet; null in a dry run
   bool good = true;                      // what the check says of all pages
+  SceneChoice scene;                     // of a scene
+  std::set<std::string> scene_pictures;  // files that the scene reads beside the pages' textures
 };
 
 /// Of the ways to pack the one whose textures weigh least: of a scene, where files are weighed

@@ -60,8 +60,8 @@ PackSource read_source(const std::string& input, const PackManifest* manifest, c
   } else if (std::filesystem::is_directory(input, failure)) {
     out.inputs = inputs_of_folder(input, options, library);
   } else if (is_gltf_file(input)) {
-    out.scene = std::make_unique<ScenePack>(input, options);
-    out.inputs = out.scene->inputs();
+    out.scene = read_scene(input, options);
+    out.inputs = out.scene->inputs;
   } else {
     out.inputs = inputs_of(manifest_in(input, options), options, library);
   }

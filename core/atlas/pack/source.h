@@ -16,7 +16,7 @@ struct PackOptions;
 /// What is packed, as it was read.
 struct PackSource {
   PackInputs inputs;
-  std::unique_ptr<ScenePack> scene;  // null: no glTF
+  std::unique_ptr<const SceneRead> scene;  // null: no glTF
   // Of one page for all materials: what they read of `inputs`, which hold their shared parts then. Null: `inputs` are
   // the materials.
   std::shared_ptr<const OnePage> one_page;

@@ -151,7 +151,7 @@ PackTotals pack_totals(const PackSource& source, const PackOptions& options, con
   const PictureDoor& door = options.input.pictures.door;
   PackTotals out;
   if (source.scene)
-    add_input_scene(out, source.scene->scene(), door);
+    add_input_scene(out, source.scene->scene, door);
   else
     add_manifest(out, source.materials(), door);
   add_pages(out.output, layout, folder);

@@ -21,9 +21,12 @@ void ContentHash::Release::operator()(void* state) const {
   XXH3_freeState(of_library(state));
 }
 
-ContentHash::ContentHash() : state_(XXH3_createState()) {
+ContentHash::ContentHash(std::string_view secret) : state_(XXH3_createState()) {
   if (!state_) throw std::bad_alloc();
-  XXH3_128bits_reset(of_library(state_.get()));
+  if (secret.empty())
+    XXH3_128bits_reset(of_library(state_.get()));
+  else
+    XXH3_128bits_reset_withSecret(of_library(state_.get()), secret.data(), secret.size());
 }
 
 void ContentHash::add(const void* data, std::size_t count) {

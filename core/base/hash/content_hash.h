@@ -10,14 +10,18 @@
 
 namespace etak {
 
-/// A fingerprint of 128 bits of a run of bytes, at memory speed: for telling equal content, not for safety
-/// against somebody who makes collisions on purpose (that is sha256.h). The same on every machine, however
-/// the bytes are cut into pieces.
+/// A fingerprint of 128 bits of a run of bytes, at memory speed: for telling equal content. Without a secret it
+/// is no safety against somebody who makes collisions on purpose (that is sha256.h). The same on every machine,
+/// however the bytes are cut into pieces.
 ///   from   XXH3, 128 bits, seed 0 (xxHash by Collet)
 class ContentHash {
  public:
+  static constexpr std::size_t secret_size = 192;
+
   /// Throws std::bad_alloc.
-  ContentHash();
+  ///   secret   of that size, in place of the bytes that all programs have; stays the caller's as long as this
+  ///            lives; empty: none
+  explicit ContentHash(std::string_view secret = {});
 
   void add(const void* bytes, std::size_t count);
   void add(std::string_view text) { add(text.data(), text.size()); }

@@ -40,12 +40,17 @@ bool tells_of_theory(std::string_view comments) {
 class PageReader {
  public:
   PageReader(std::string_view text, std::string_view file, RiiPage& page, Rows& rows)
-      : text_(text), lines_(text, file), page_(page), rows_(rows) {}
+      : text_(text),
+        lines_(text, file),
+        page_(page),
+        optics_(page.optics.index() == 0 ? page.constants() : page.optics.emplace<OpticalConstants>()),
+        rows_(rows) {}
 
   void read() {
     page_.kind = PageKind::other;
     page_.flags = {};
     page_.refusal.clear();
+    page_.references = page_.comments = page_.conditions = {};
     bool any_key = false, has_data = false, needs_data = false;
     std::string_view key;
     while (lines_.next_top_key(key)) {
@@ -54,11 +59,15 @@ class PageReader {
         has_data = true;
         read_data();
       } else {
-        needs_data = needs_data || key == "REFERENCES" || key == "COMMENTS" || key == "CONDITIONS" ||
-                     key == "PROPERTIES";
         const char* begin = lines_.at;
         lines_.skip_block(0);
-        if (key == "COMMENTS" && tells_of_theory({begin, lines_.at})) page_.flags.set(Flag::computed);
+        const std::string_view value(begin, lines_.at);
+        if (key == "REFERENCES") page_.references = value;
+        if (key == "COMMENTS") page_.comments = value;
+        if (key == "CONDITIONS" || key == "SPECS") page_.conditions = value;
+        if (key == "COMMENTS" && tells_of_theory(value)) page_.flags.set(Flag::computed);
+        needs_data = needs_data || key == "REFERENCES" || key == "COMMENTS" || key == "CONDITIONS" ||
+                     key == "PROPERTIES";
       }
     }
     if (has_data) return finish();
@@ -209,16 +218,16 @@ class PageReader {
     if (gives_k) {
       if (has_k_) lines_.fail(entry.where, "k given twice");
       has_k_ = true;
-      if (!page_.optics.k) page_.optics.k.emplace();
-      rows_.copy(0, page_.optics.k->wavelength_nm);
-      rows_.copy(entry.rows == RowKind::nk ? 2 : 1, page_.optics.k->value);
+      if (!optics_.k) optics_.k.emplace();
+      rows_.copy(0, optics_.k->wavelength_nm);
+      rows_.copy(entry.rows == RowKind::nk ? 2 : 1, optics_.k->value);
     }
     if (gives_n) {
       if (n_from_ != Source::none) lines_.fail(entry.where, "n given twice");
       n_from_ = gives_k ? Source::nk_table : Source::n_table;
       least_n_ = rows_.least_n;
-      if (!std::holds_alternative<Spectrum>(page_.optics.n)) page_.optics.n.emplace<Spectrum>();
-      auto& n = std::get<Spectrum>(page_.optics.n);
+      if (!std::holds_alternative<Spectrum>(optics_.n)) optics_.n.emplace<Spectrum>();
+      auto& n = std::get<Spectrum>(optics_.n);
       rows_.copy(0, n.wavelength_nm);
       rows_.copy(1, n.value);
     }
@@ -239,17 +248,17 @@ class PageReader {
       page_.flags.set(Flag::unpaired_coefficient);
     }
     if (const auto found = defect(formula_); !found.empty()) lines_.fail(entry.where, found);
-    page_.optics.n = formula_;
+    optics_.n = formula_;
   }
 
   void finish() {
-    if (!has_k_) page_.optics.k.reset();
+    if (!has_k_) optics_.k.reset();
     page_.kind = has_k_ || n_from_ != Source::none ? PageKind::constants : PageKind::nonlinear;
     if (n_from_ == Source::none) {
       page_.refusal = has_k_ ? "no n given" : "nonlinear index (n2) only";
-      page_.optics.n.emplace<Spectrum>();
+      optics_.n.emplace<Spectrum>();
     } else if (n_from_ != Source::formula && least_n_ <= 0) {
-      check_sign(std::get<Spectrum>(page_.optics.n));
+      check_sign(std::get<Spectrum>(optics_.n));
     }
   }
 
@@ -257,7 +266,7 @@ class PageReader {
   // values are held.
   void check_sign(const Spectrum& n) {
     for (std::size_t i = 0; i < n.size(); ++i) {
-      if (n.value[i] > 0 || (n.value[i] == 0 && !no_medium_in_row(page_.optics, i))) continue;
+      if (n.value[i] > 0 || (n.value[i] == 0 && !no_medium_in_row(optics_, i))) continue;
       page_.flags.set(Flag::n_not_positive);
       const bool ends_before = i + 1 < n.size() && n.wavelength_nm[i + 1] <= grid_first_nm;
       const bool starts_behind = i > 0 && n.wavelength_nm[i - 1] >= grid_last_nm;
@@ -273,6 +282,7 @@ class PageReader {
   std::string_view text_;
   YamlLines lines_;
   RiiPage& page_;
+  OpticalConstants& optics_;  // of page_
   Rows& rows_;
   DispersionFormula formula_;     // the one being read
   std::vector<double> range_um_;  // the same

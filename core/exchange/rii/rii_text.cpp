@@ -73,9 +73,12 @@ std::string plain(std::string_view html) {
   return readable(trimmed(text, white));
 }
 
-// The value of a key whose `key:` was just read: a block scalar with its indentation taken off, or a plain or
-// quoted scalar with its further lines.
-std::string text_value(YamlLines& lines) {
+// The value of a key as text: a block scalar with its indentation taken off, or a plain or quoted scalar with
+// its further lines.
+//   value   from behind the colon on; empty: not given
+std::string text_value(std::string_view value) {
+  if (value.empty()) return {};
+  YamlLines lines(value, {});
   const std::string_view head = lines.value();
   const char* first = lines.at;
   lines.skip_block(0);
@@ -122,30 +125,14 @@ std::string_view nested_value(std::string_view block, std::string_view name) {
 
 // The free text of a page.
 struct PageText {
-  std::string references, comments;          // as in the page, HTML tags included
+  std::string comments;                      // as in the page, HTML tags included
   std::optional<double> temperature_kelvin;  // of CONDITIONS
   std::string direction;                     // of CONDITIONS
 };
 
-PageText read_text(std::string_view text, std::string_view file) {
-  PageText page;
-  YamlLines lines(text, file);
-  std::string_view key;
-  while (lines.next_top_key(key)) {
-    const char* first = lines.at;
-    if (key == "REFERENCES") {
-      page.references = text_value(lines);
-    } else if (key == "COMMENTS") {
-      page.comments = text_value(lines);
-    } else {
-      lines.skip_block(0);
-      if (key != "CONDITIONS" && key != "SPECS") continue;
-      const std::string_view block(first, static_cast<std::size_t>(lines.at - first));
-      page.temperature_kelvin = kelvin(nested_value(block, "temperature"));
-      page.direction = nested_value(block, "direction");
-    }
-  }
-  return page;
+PageText text_of(const RiiPage& page) {
+  return {text_value(page.comments), kelvin(nested_value(page.conditions, "temperature")),
+          std::string(nested_value(page.conditions, "direction"))};
 }
 
 // ---- citation
@@ -338,23 +325,36 @@ void drop_no_medium(OpticalConstants& optics) {
 
 }  // namespace
 
+Citation citation_of_page(const RiiPage& page, std::string_view path) {
+  Citation out = parse_citation(text_value(page.references));
+  out.licence = "CC0-1.0";
+  out.via = "refractiveindex.info " + page_name(page_path(path));
+  if (out.title.empty()) out.title = out.via;
+  return out;
+}
+
 Material material_from_rii_page(std::string_view text, std::string_view path, std::string_view id) {
   RiiPage page;
   parse_rii_page(text, path, page);
   if (page.kind != PageKind::constants)
     throw Error::at(path, "no linear optical constants", "a page with n and k");
   if (!page.refusal.empty()) throw Error::at(path, page.refusal);
-  const PageText words = read_text(text, path);
+  return material_of_page(std::move(page), path, id);
+}
+
+Material material_of_page(RiiPage page, std::string_view path, std::string_view id) {
+  OpticalConstants& constants = page.constants();
+  const PageText words = text_of(page);
   const std::string_view place = page_path(path);
 
   Dataset dataset;
-  dataset.origin = page.flags.has(Flag::computed)                             ? Origin::computed
-                   : std::holds_alternative<DispersionFormula>(page.optics.n) ? Origin::fit
-                   : tells_of_measurement(words.comments)                     ? Origin::measured
-                                                                              : Origin::unknown;
-  if (std::holds_alternative<Spectrum>(page.optics.n)) {
-    drop_no_medium(page.optics);
-    if (std::get<Spectrum>(page.optics.n).empty())
+  dataset.origin = page.flags.has(Flag::computed)                           ? Origin::computed
+                   : std::holds_alternative<DispersionFormula>(constants.n) ? Origin::fit
+                   : tells_of_measurement(words.comments)                   ? Origin::measured
+                                                                            : Origin::unknown;
+  if (std::holds_alternative<Spectrum>(constants.n)) {
+    drop_no_medium(constants);
+    if (std::get<Spectrum>(constants.n).empty())
       throw Error::at(path, "no row with n above 0", "at least one");
   }
   dataset.optics = std::move(page.optics);
@@ -363,10 +363,7 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   dataset.temperature_kelvin = words.temperature_kelvin;
   dataset.axis = find_axis(place, words);
   dataset.note = plain(words.comments);
-  dataset.citation = parse_citation(words.references);
-  dataset.citation.licence = "CC0-1.0";
-  dataset.citation.via = "refractiveindex.info " + page_name(place);
-  if (dataset.citation.title.empty()) dataset.citation.title = dataset.citation.via;
+  dataset.citation = citation_of_page(page, path);
   dataset.id = identifier(file_stem(place), '-', "material");
   const std::string year = std::to_string(dataset.citation.year);
   if (dataset.citation.year != 0 && dataset.id.find(year) == dataset.id.npos) dataset.id += "-" + year;

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/shards/shards.h"
 #include "core/findings/report.h"
 #include "core/findings/suppress.h"
 #include "core/findings/verdict_options.h"
 #include "core/judge/settings.h"
+#include "core/runs/shards.h"
 
 namespace etak {
 

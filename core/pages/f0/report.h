@@ -5,24 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/material/f0.h"
+#include "core/exchange/f0_row.h"
 #include "core/material/material.h"
 
 namespace etak {
-
-/// One line of an F0 report: the material or file that was asked for, the source of its data, and the result.
-struct F0Row {
-  // Id of the material ("gold", "gold/johnson-1972"), or the path of the file, relative to the folder given.
-  std::string path;
-  std::string name;            // "Gold"; empty for bare files
-  std::string material_class;  // empty for bare files
-  std::string dataset;         // id of the dataset; empty for bare files
-  std::string source;          // citation in one line; empty when unknown
-  F0Result result;
-  std::string alias_note = {};  // note of the library on the alias that was asked for; may be empty
-  std::string kind = {};        // of the dataset: "measured", "fit", "computed"; empty when unknown
-  std::string doubt = {};       // why the dataset is doubtful; empty: it is not, or nothing is known of it
-};
 
 /// A library material with the results of all its datasets, for pages and `etak show`.
 struct MaterialReport {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/atlas/manifest.h"
-#include "core/atlas/pack/scene/gltf_pack.h"
+#include "core/atlas/pack/scene/scene_output.h"
 #include "core/atlas/sources/pictures.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
@@ -54,11 +54,11 @@ std::vector<ChooseSubject> scene_subjects(const std::string& path, const PackOpt
                                           const MaterialLibrary& library, std::vector<std::string>& remarks) {
   PackInputs inputs;
   AtlasManifest manifest;
-  std::unique_ptr<ScenePack> scene;
+  std::unique_ptr<const SceneRead> scene;
   if (is_gltf_file(path)) {
-    scene = std::make_unique<ScenePack>(path, options);
-    inputs = scene->inputs();
-    scene->add_remarks(remarks);
+    scene = read_scene(path, options);
+    inputs = scene->inputs;
+    add_remarks(*scene, {}, remarks);
   } else {
     manifest = is_folder(path) ? manifest_of_folder(path, options.input.pattern)
                                : parse_manifest(read_file(path), path);

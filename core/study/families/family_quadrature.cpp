@@ -201,9 +201,7 @@ void add_pages(std::span<const Way> all, std::span<const Sample> samples, ErrorT
            double sum = 0;
            for (const std::string& text : *pages) {
              parse_rii_page(text, "page.yml", page);
-             const Optics optics = std::move(page.optics);
-             sum += solver->solve(optics, page.flags).luminance;
-             page.optics = std::get<OpticalConstants>(std::move(optics));
+             sum += solver->solve(page.optics, page.flags).luminance;
            }
            keep(&sum);
          }});

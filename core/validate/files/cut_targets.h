@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/shards/shards.h"
+#include "core/runs/shards.h"
 #include "core/validate/find/find_targets.h"
 
 namespace etak {

@@ -35,10 +35,10 @@ std::string formula(int number, std::string_view coefficients) {
 }
 
 const Spectrum& n_table(const RiiPage& page) {
-  return std::get<Spectrum>(page.optics.n);
+  return std::get<Spectrum>(page.constants().n);
 }
 const DispersionFormula& n_formula(const RiiPage& page) {
-  return std::get<DispersionFormula>(page.optics.n);
+  return std::get<DispersionFormula>(page.constants().n);
 }
 Flags only_flag(Flag flag) {
   Flags flags;
@@ -61,9 +61,9 @@ TEST_CASE("a table of n and k is read in nanometres") {
   CHECK(page.flags.none());
   CHECK(n_table(page).wavelength_nm == Numbers{0.4 * 1000.0, 0.5 * 1000.0, 0.7 * 1000.0});
   CHECK(n_table(page).value == Numbers{1.5, 1.4, 1.3});
-  REQUIRE(page.optics.k);
-  CHECK(page.optics.k->wavelength_nm == n_table(page).wavelength_nm);
-  CHECK(page.optics.k->value == Numbers{0.1, 0.2, 0.3});
+  REQUIRE(page.constants().k);
+  CHECK(page.constants().k->wavelength_nm == n_table(page).wavelength_nm);
+  CHECK(page.constants().k->value == Numbers{0.1, 0.2, 0.3});
 }
 
 TEST_CASE("n and k may have tables of their own, tabs, blank lines, CRLF ends and no last line end") {
@@ -71,17 +71,17 @@ TEST_CASE("n and k may have tables of their own, tabs, blank lines, CRLF ends an
       "DATA:\r\n  - type: tabulated n\r\n    data: |\r\n        0.4\t1.5\r\n\r\n        0.8 \t 1.4\t\r\n"
       "  - type: tabulated k\r\n    data: |\r\n        0.5 0.1");
   CHECK(n_table(page).value == Numbers{1.5, 1.4});
-  REQUIRE(page.optics.k);
-  CHECK(page.optics.k->wavelength_nm == Numbers{500});
+  REQUIRE(page.constants().k);
+  CHECK(page.constants().k->wavelength_nm == Numbers{500});
   CHECK(page.flags.none());
 }
 
 TEST_CASE("a page without k has none, and a page read after another keeps nothing of it") {
   RiiPage page;
   parse_rii_page(page_of(table_block("tabulated nk", {"0.4 1.5 -0.1", "0.3 1 1"})), "a.yml", page);
-  REQUIRE(page.optics.k);
+  REQUIRE(page.constants().k);
   parse_rii_page(page_of(table_block("tabulated n", {"0.5 2"})), "b.yml", page);
-  CHECK(!page.optics.k);
+  CHECK(!page.constants().k);
   CHECK(page.flags.none());
   CHECK(n_table(page) == Spectrum{{500}, {2}});
 }
@@ -100,12 +100,12 @@ TEST_CASE("beside a formula k comes from its table, and a table of n and k gives
   const auto k =
       parse_page(page_of(formula(3, "2.25") + table_block("tabulated k", {"0.4 1e-7", "0.5 2e-7"})));
   CHECK(n_formula(k).number == 3);
-  CHECK(k.optics.k->value == Numbers{1e-7, 2e-7});
+  CHECK(k.constants().k->value == Numbers{1e-7, 2e-7});
   const std::string nk = table_block("tabulated nk", {"0.4 1.5 0.1", "0.5 -1.6 0.2"});
   for (const auto& data : {formula(5, "1.5") + nk, nk + formula(5, "1.5")}) {
     const auto page = parse_page(page_of(data));
     CHECK(n_formula(page).number == 5);
-    CHECK(page.optics.k->value == Numbers{0.1, 0.2});
+    CHECK(page.constants().k->value == Numbers{0.1, 0.2});
     CHECK(page.flags.none());  // the table's n is not used, so its sign is nobody's business
   }
 }
@@ -122,7 +122,7 @@ TEST_CASE("rows that do not ascend are sorted and flagged") {
   const auto page = parse_page(page_of(table_block("tabulated nk", {"0.7 3 30", "0.5 2 20", "0.4 1 10"})));
   CHECK(page.flags == only_flag(Flag::unsorted));
   CHECK(n_table(page).value == Numbers{1, 2, 3});
-  CHECK(page.optics.k->value == Numbers{10, 20, 30});
+  CHECK(page.constants().k->value == Numbers{10, 20, 30});
 }
 
 TEST_CASE("identical duplicates are dropped, different ones averaged, each with its flag") {
@@ -134,13 +134,13 @@ TEST_CASE("identical duplicates are dropped, different ones averaged, each with 
   CHECK(averaged.flags.has(Flag::duplicate_wavelength));
   CHECK(averaged.flags.has(Flag::unsorted));
   CHECK(n_table(averaged) == Spectrum{{400, 500}, {1, 2}});
-  CHECK(averaged.optics.k->value == Numbers{7, 6});
+  CHECK(averaged.constants().k->value == Numbers{7, 6});
 }
 
 TEST_CASE("k below zero is taken as 0 and flagged") {
   const auto page = parse_page(page_of(table_block("tabulated nk", {"0.4 1 -0.001", "0.5 2 0.1"})));
   CHECK(page.flags == only_flag(Flag::negative_k));
-  CHECK(page.optics.k->value == Numbers{0, 0.1});
+  CHECK(page.constants().k->value == Numbers{0, 0.1});
 }
 
 TEST_CASE("n that is not positive refuses a page only where 360 to 830 nm uses it") {

@@ -31,7 +31,7 @@ std::vector<FresnelTruth> truths_of(const std::string& folder, const std::vector
     RiiPage read;
     parse_rii_page(read_file(path), path, read);
     REQUIRE(read.refusal.empty());
-    out.push_back(fresnel_truth(read.optics, page));
+    out.push_back(fresnel_truth(read.constants(), page));
   }
   return out;
 }

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <mutex>
+#include <set>
 
+#include "core/atlas/pack/pack.h"
+#include "core/atlas/pack/scene/conversion_cost.h"
 #include "core/atlas/pack/scene/scene_facts.h"
-#include "core/atlas/pack/scene/scene_state.h"
+#include "core/atlas/pack/scene/scene_maps.h"
 #include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
 #include "core/base/files/steady_file.h"
@@ -37,86 +41,57 @@ constexpr int oblique_levels = 3;
 PixelBox box_of(const std::array<int, 4>& box) {
   return {box[0], box[1], box[2], box[3]};
 }
-}  // namespace
 
-ScenePack::State::State(const PackOptions& options_)
-    : options(options_),
-      gloss(options_.input.pictures.gloss.value_or(GlossForm::one_minus_roughness)),
-      forms(options_.output.forms) {}
+// Decoded pictures of a scene, which are kept until all that asked for them have given them back: all pictures of a
+// scene at once would take most of the memory.
+class DecodedPictures {
+ public:
+  explicit DecodedPictures(const SceneRead& scene) : scene_(scene) {}
 
-std::string_view ScenePack::State::bytes_of(const PictureFile& image, FileBytes& file) const {
-  if (image.path.empty()) return image.bytes;
-  file.load(image.path);
-  return file.view();
-}
+  const Image8& operator()(int image) {
+    const std::lock_guard guard(lock_);
+    if (const auto found = pictures_.find(image); found != pictures_.end()) return found->second;
+    return pictures_.emplace(image, codes_of(scene_.decoded(image), false)).first->second;
+  }
 
-Image8 ScenePack::State::decoded(int index) const {
-  const PictureFile& image = scene.images[static_cast<std::size_t>(index)];
-  FileBytes file;
-  return codes_of(load_picture(bytes_of(image, file), image.label, options.input.pictures.door), false);
-}
+  void await(const GltfMaterial& m) {
+    for (const GltfTexture* texture : replaced_textures(m)) ++awaited_[texture->image];
+  }
+  void give_back(const GltfMaterial& m) {
+    const std::lock_guard guard(lock_);
+    for (const GltfTexture* texture : replaced_textures(m))
+      if (--awaited_[texture->image] == 0) pictures_.erase(texture->image);
+  }
 
-const PictureHeader& ScenePack::State::header(int index) {
-  const auto [found, fresh] = headers.try_emplace(index);
-  const PictureFile& image = scene.images[static_cast<std::size_t>(index)];
-  const PictureDoor& door = options.input.pictures.door;
-  if (fresh)
-    found->second =
-        image.path.empty() ? open_picture(image, door)->header() : picture_header(image.path, door);
-  return found->second;
-}
+ private:
+  const SceneRead& scene_;
+  std::mutex lock_;
+  std::map<int, Image8> pictures_;
+  std::map<int, int> awaited_;  // by image: look-ups that are still to come
+};
 
-FloatPair ScenePack::State::floats_of(int material) const {
+FloatPair floats_of(const SceneRead& read, const GltfMaterial& m) {
   std::map<int, Image> images;
-  const SceneImages<float> floats = [&](int index) -> const Image& {
-    const auto [found, fresh] = images.try_emplace(index);
-    if (!fresh) return found->second;
-    const PictureFile& image = scene.images[static_cast<std::size_t>(index)];
-    FileBytes file;
-    return found->second =
-               fractions(load_picture(bytes_of(image, file), image.label, options.input.pictures.door));
+  const SceneImages<float> floats = [&](int image) -> const Image& {
+    const auto [found, fresh] = images.try_emplace(image);
+    return fresh ? found->second = fractions(read.decoded(image)) : found->second;
   };
   std::size_t outside = 0;
-  return scene_material_pair(scene.materials[static_cast<std::size_t>(material)], floats, gloss,
-                             options.leave_out.keep.contains("alpha"), outside);
+  return scene_material_pair(m, floats, read.gloss, read.options.leave_out.keep.contains("alpha"), outside);
 }
 
-const Image8& ScenePack::State::picture(int index) {
-  const std::lock_guard lock(pictures_lock);
-  auto [found, fresh] = pictures.try_emplace(index);
-  if (!fresh) return found->second;
-  try {
-    return found->second = decoded(index);
-  } catch (...) {
-    pictures.erase(index);
-    throw;
-  }
-}
-
-void ScenePack::State::await_pictures(const GltfMaterial& m) {
-  for (const GltfTexture* texture : replaced_textures(m)) ++pictures_awaited[texture->image];
-}
-
-// Frees the pictures that no other material asks for: all pictures of a scene at once would take most of
-// the memory.
-void ScenePack::State::give_back_pictures(const GltfMaterial& m) {
-  const std::lock_guard lock(pictures_lock);
-  for (const GltfTexture* texture : replaced_textures(m))
-    if (--pictures_awaited[texture->image] == 0) pictures.erase(texture->image);
-}
-
-std::string ScenePack::State::name_of(const GltfMaterial& m, std::set<std::string>& names) const {
-  std::string name = m.name.empty() ? "material" + std::to_string(m.index) : m.name;
+std::string name_of(const GltfMaterial& m, std::set<std::string>& names) {
+  std::string name = SceneRead::label(m, "");
   if (!names.insert(name).second) name += "#" + std::to_string(m.index);
   names.insert(name);
   return name;
 }
 
-void ScenePack::State::add_material(const GltfMaterial& m, std::set<std::string>& names) {
-  const bool used = scene.material_used[static_cast<std::size_t>(m.index)];
+void add_material(const GltfMaterial& m, std::set<std::string>& names, SceneRead& read) {
+  const bool used = read.scene.material_used[static_cast<std::size_t>(m.index)];
   if (used && !textures_agree(m)) {
-    remarks.push_back((m.name.empty() ? "material " + std::to_string(m.index) : m.name) +
-                      ": its textures are looked up at different places; it stays as it is");
+    read.remarks.push_back(SceneRead::label(m, " ") +
+                           ": its textures are looked up at different places; it stays as it is");
     return;
   }
   PackInput in;
@@ -127,52 +102,16 @@ void ScenePack::State::add_material(const GltfMaterial& m, std::set<std::string>
   in.streamed = false;
   in.facts.name = in.name;
   in.facts.reached = used;
-  in.facts.opaque = m.alpha_mode == AlphaMode::opaque && !options.leave_out.keep.contains("alpha");
+  in.facts.opaque = m.alpha_mode == AlphaMode::opaque && !read.options.leave_out.keep.contains("alpha");
   in.facts.source = std::to_string(m.index);
-  await_pictures(m);
-  inputs.materials.push_back(std::move(in));
-  entries.emplace_back().material = m.index;
+  read.inputs.materials.push_back(std::move(in));
+  read.entries.emplace_back().material = m.index;
 }
 
-// Finds the size, the texels and the used texels of one material.
-void ScenePack::State::learn(std::size_t i) {
-  PackInput& in = inputs.materials[i];
-  Entry& entry = entries[i];
-  const GltfMaterial& m = scene.materials[static_cast<std::size_t>(entry.material)];
-  const SceneImages<std::uint8_t> images = [this](int index) -> const Image8& { return picture(index); };
-  std::size_t outside = 0;
-  auto pair = std::make_shared<MaterialPair>(
-      scene_material_pair(m, images, gloss, options.leave_out.keep.contains("alpha"), outside));
-  if (options.check.scene)
-    entry.metallic = scene_metallic(m, images, pair->diffuse_alpha.width, pair->diffuse_alpha.height);
-  in.width = in.facts.width = pair->diffuse_alpha.width;
-  in.height = in.facts.height = pair->diffuse_alpha.height;
-  in.facts.crop = {0, 0, in.width, in.height};
-  const GltfTexture* lead = leading_texture(m);
-  if (in.facts.reached && lead != nullptr) {
-    use_of(in, entry, *lead);
-    scale_of(in, entry, *lead);
-    normals_of(in, m, entry, *lead);
-  }
-  const bool masked =
-      entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
-  const std::uint8_t* const used = masked ? entry.use->mask.data() : nullptr;
-  look_at(*pair, used, in.facts.opaque, in.facts);
-  if (in.facts.reached) tell_conversion(in, m, entry, conversion_cost(m, images, *pair, gloss, used));
-  give_back_pictures(m);
-  if (writes_floats(options.output.write)) {
-    in.convert_floats = [this, material = entry.material] { return floats_of(material); };
-    look_at(floats_of(entry.material), used, in.facts.opaque, in.facts);
-  }
-  if (outside > 0)
-    entry.clamped =
-        100 * static_cast<double>(outside) / static_cast<double>(pair->diffuse_alpha.pixel_count());
-  entry.pair = std::move(pair);
-  in.convert = [shared = entry.pair](std::vector<std::string>&) { return *shared; };
-}
+using Decoded = std::shared_ptr<DecodedPictures>;
 
-void ScenePack::State::tell_conversion(const PackInput& in, const GltfMaterial& m, Entry& entry,
-                                       const ConversionCost& cost) {
+void tell_conversion(const PackInput& in, const GltfMaterial& m, SceneRead::Entry& entry,
+                     const ConversionCost& cost) {
   entry.exact = cost.is_exact();
   if (const auto told = sentence_of(cost))
     entry.remarks.push_back(in.name + ": " + *told +
@@ -180,18 +119,19 @@ void ScenePack::State::tell_conversion(const PackInput& in, const GltfMaterial& 
 }
 
 // Finds which resolution and which mips the cameras can show, and the density that was asked for needs.
-void ScenePack::State::scale_of(PackInput& in, const Entry& entry, const GltfTexture& lead) {
+void scale_of(const SceneRead& read, PackInput& in, const SceneRead::Entry& entry, const GltfTexture& lead) {
+  const PackLeaveOutOptions& asked = read.options.leave_out;
   in.facts.levels = lead.sampler.mipmaps ? 0 : 1;
-  if (options.leave_out.texel_density == 0 && options.leave_out.view_height == 0) return;
+  if (asked.texel_density == 0 && asked.view_height == 0) return;
   const TexelScale scale =
-      texel_scale(*uses, entry.material, lead, in.width, in.height, options.leave_out.view_height);
+      texel_scale(*read.uses, entry.material, lead, in.width, in.height, asked.view_height);
   constexpr double rounding = 1e-6;
   std::optional<double> halvings;
-  if (options.leave_out.texel_density > 0 && scale.least_density > 0)
-    halvings = std::log2(scale.least_density / options.leave_out.texel_density);
+  if (asked.texel_density > 0 && scale.least_density > 0)
+    halvings = std::log2(scale.least_density / asked.texel_density);
   if (scale.seen && std::isfinite(scale.least_level))
     halvings = std::min(halvings.value_or(scale.least_level), scale.least_level);
-  if (options.leave_out.view_height == 0 || scale.seen)
+  if (asked.view_height == 0 || scale.seen)
     in.facts.unseen = std::clamp(static_cast<int>(std::floor(halvings.value_or(0) + rounding)), 0, 15);
   if (scale.seen && lead.sampler.mipmaps && std::isfinite(scale.most_level))
     in.facts.levels =
@@ -199,8 +139,8 @@ void ScenePack::State::scale_of(PackInput& in, const Entry& entry, const GltfTex
 }
 
 // The normal map as it lies on the pair, at the pair's size.
-void ScenePack::State::normals_of(PackInput& in, const GltfMaterial& m, Entry& entry,
-                                  const GltfTexture& lead) {
+void normals_of(const Decoded& pictures, PackInput& in, const GltfMaterial& m, SceneRead::Entry& entry,
+                const GltfTexture& lead) {
   if (!m.normal_texture) return;
   const GltfTexture& map = *m.normal_texture;
   const auto place = normals_on_pair(map, lead, *entry.use);
@@ -208,17 +148,18 @@ void ScenePack::State::normals_of(PackInput& in, const GltfMaterial& m, Entry& e
     entry.remarks.push_back(in.name + ": its normal map is looked up elsewhere and does not widen its gloss");
     return;
   }
-  in.load_normals = [this, image = map.image, scale = m.normal_scale, width = in.width, height = in.height,
-                     at = *place] { return scaled_normals(picture(image), scale, width, height, at); };
+  in.load_normals = [pictures, image = map.image, scale = m.normal_scale, width = in.width,
+                     height = in.height,
+                     at = *place] { return scaled_normals((*pictures)(image), scale, width, height, at); };
 }
 
-void ScenePack::State::use_of(PackInput& in, Entry& entry, const GltfTexture& lead) {
-  entry.use = texel_use(*uses, entry.material, lead, in.width, in.height);
+void use_of(const SceneRead& read, PackInput& in, SceneRead::Entry& entry, const GltfTexture& lead) {
+  entry.use = texel_use(*read.uses, entry.material, lead, in.width, in.height);
   const TexelUse& use = *entry.use;
   in.wrap = {lead.sampler.wrap_u, lead.sampler.wrap_v};
   if (use.touched == 0) return;
   const bool by_islands =
-      options.leave_out.islands && !options.leave_out.keep.contains("islands") && use.foldable;
+      read.options.leave_out.islands && !read.options.leave_out.keep.contains("islands") && use.foldable;
   if (use.tiles && !by_islands) {
     // The whole period: only a page of its own can repeat it.
     in.own_page = entry.tiles = in.facts.tiles = true;
@@ -230,115 +171,199 @@ void ScenePack::State::use_of(PackInput& in, Entry& entry, const GltfTexture& le
     in.facts.islands.push_back({island.x, island.y, island.width, island.height});
 }
 
+// Finds the size, the texels and the used texels of one material.
+void learn(SceneRead& read, std::size_t i, const Decoded& pictures) {
+  PackInput& in = read.inputs.materials[i];
+  SceneRead::Entry& entry = read.entries[i];
+  const GltfMaterial& m = read.material(entry);
+  const PackOptions& options = read.options;
+  const SceneImages<std::uint8_t> images = [&](int image) -> const Image8& { return (*pictures)(image); };
+  std::size_t outside = 0;
+  auto pair = std::make_shared<MaterialPair>(
+      scene_material_pair(m, images, read.gloss, options.leave_out.keep.contains("alpha"), outside));
+  if (options.check.scene)
+    entry.metallic = scene_metallic(m, images, pair->diffuse_alpha.width, pair->diffuse_alpha.height);
+  in.width = in.facts.width = pair->diffuse_alpha.width;
+  in.height = in.facts.height = pair->diffuse_alpha.height;
+  in.facts.crop = {0, 0, in.width, in.height};
+  const GltfTexture* lead = leading_texture(m);
+  if (in.facts.reached && lead != nullptr) {
+    use_of(read, in, entry, *lead);
+    scale_of(read, in, entry, *lead);
+    normals_of(pictures, in, m, entry, *lead);
+  }
+  const bool masked =
+      entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
+  const std::uint8_t* const used = masked ? entry.use->mask.data() : nullptr;
+  look_at(*pair, used, in.facts.opaque, in.facts);
+  if (in.facts.reached) tell_conversion(in, m, entry, conversion_cost(m, images, *pair, read.gloss, used));
+  pictures->give_back(m);
+  if (writes_floats(options.output.write)) {
+    in.convert_floats = [&read, &m] { return floats_of(read, m); };
+    look_at(floats_of(read, m), used, in.facts.opaque, in.facts);
+  }
+  if (outside > 0)
+    entry.clamped =
+        100 * static_cast<double>(outside) / static_cast<double>(pair->diffuse_alpha.pixel_count());
+  entry.pair = std::move(pair);
+  in.convert = [shared = entry.pair](std::vector<std::string>&) { return *shared; };
+}
+
 // Which pictures can do with less than their files. Only forms of PNG that are read row by row are looked at
 // for their colours: of others the first texel would take the whole picture.
-void ScenePack::State::find_light_pictures() {
-  if (!writes_scene() || !options.leave_out.leaves("files")) return;
+void find_light_pictures(SceneRead& read) {
+  const GltfScene& scene = read.scene;
+  if (!read.writes_scene() || !read.options.leave_out.leaves("files")) return;
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
     const auto index = static_cast<int>(i);
-    if (!scene.image_used[i] || stands_for[i] != index) continue;
+    if (!scene.image_used[i] || read.stands_for[i] != index) continue;
     const PictureFile& image = scene.images[i];
-    const PictureHeader& from = header(index);
-    const TextureTotals whole = image_totals(index);
-    LightPicture found{std::nullopt, whole};
+    const PictureHeader& from = read.header(index);
+    const TextureTotals whole = read.image_totals(index);
+    SceneRead::LightPicture found{std::nullopt, whole};
     if (!image.path.empty()) {
       SteadyFile file(image.path, largest_picture_bytes);
       found.totals.disk = size_of_texels_alone(file).value_or(whole.disk);
     }
     if (from.strips && from.bits == 8) {
-      auto texel = one_texel_of(*open_picture(image, options.input.pictures.door));
+      auto texel = one_texel_of(*open_picture(image, read.options.input.pictures.door));
       if (texel && texel->file.size() <= found.totals.disk)
         found = {texel, {1, texel->file.size(), texture_bytes(texel->header, true)}};
     }
-    if (found.totals != whole) light.emplace(index, std::move(found));
+    if (found.totals != whole) read.light.emplace(index, std::move(found));
   }
 }
 
-ScenePack::ScenePack(const std::string& path, const PackOptions& options)
-    : state_(std::make_unique<State>(options)) {
-  State& s = *state_;
-  s.scene = read_gltf(path, options.input.gltf);
-  s.stands_for = first_of_same_images(s.scene);
-  s.uses.emplace(s.scene);
-  s.inputs.gloss = s.gloss;
-  if (s.gloss == GlossForm::roughness)
+void check_gloss(GlossForm gloss, const std::vector<GltfForm>& forms) {
+  if (gloss == GlossForm::roughness)
     throw Error::at(setting("gloss-channel"), "roughness",
                     "schueler or one_minus_roughness for a glTF scene");
-  if (s.gloss == GlossForm::schueler && has_form(s.forms, GltfForm::specular_glossiness))
+  if (gloss == GlossForm::schueler && has_form(forms, GltfForm::specular_glossiness))
     throw Error::at(setting("gltf-form"), "specular-glossiness, whose gloss is 1 - roughness",
                     setting("gloss-channel") + " one_minus_roughness");
-  std::set<std::string> names;
-  for (const GltfMaterial& m : s.scene.materials) s.add_material(m, names);
-  parallel_chunks(s.inputs.materials.size(), options.run.threads, 1,
-                  [&](std::size_t begin, std::size_t, unsigned) { s.learn(begin); });
-  s.find_light_pictures();
-  for (std::size_t i = 0; i < s.entries.size(); ++i) {
-    const State::Entry& entry = s.entries[i];
-    s.remarks.insert(s.remarks.end(), entry.remarks.begin(), entry.remarks.end());
-    if (entry.clamped > 0)
-      s.remarks.push_back(s.inputs.materials[i].name + ": gloss of " + number(entry.clamped, 3) +
-                          " % of the texels lies outside of what the form " + std::string(name(s.gloss)) +
-                          " can hold and was brought back to its ends");
+}
+
+}  // namespace
+
+std::string SceneRead::label(const GltfMaterial& m, std::string_view between) {
+  return m.name.empty() ? "material" + std::string(between) + std::to_string(m.index) : m.name;
+}
+
+Picture SceneRead::decoded(int image) const {
+  const PictureFile& from = file(image);
+  FileBytes bytes;
+  if (!from.path.empty()) bytes.load(from.path);
+  return load_picture(from.path.empty() ? std::string_view(from.bytes) : bytes.view(), from.label,
+                      options.input.pictures.door);
+}
+
+const PictureHeader& SceneRead::header(int image) const {
+  const auto [found, fresh] = headers.try_emplace(image);
+  const PictureFile& from = file(image);
+  const PictureDoor& door = options.input.pictures.door;
+  if (fresh)
+    found->second = from.path.empty() ? open_picture(from, door)->header() : picture_header(from.path, door);
+  return found->second;
+}
+
+TextureTotals SceneRead::image_totals(int image) const {
+  const PictureFile& from = file(image);
+  const std::uint64_t gpu = texture_bytes(header(image), true);
+  return {1, from.path.empty() ? from.bytes.size() : fs::file_size(from.path), gpu};
+}
+
+TextureTotals SceneRead::kept_totals(int image) const {
+  const auto found = light.find(image);
+  return found == light.end() ? image_totals(image) : found->second.totals;
+}
+
+TextureTotals SceneRead::input_totals(const std::vector<bool>& images) const {
+  TextureTotals out;
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const std::string& path = scene.images[i].path;
+    if (images[i] && (path.empty() || seen.insert(path).second)) out.add(image_totals(static_cast<int>(i)));
   }
-  ContentHash hash;
-  hash.add(*s.scene.json);
-  for (const std::string& buffer : *s.scene.buffers) hash.add(buffer);
-  s.inputs.settings = hash.hex();
+  return out;
 }
 
-ScenePack::~ScenePack() = default;
-
-const GltfScene& ScenePack::scene() const {
-  return state_->scene;
+TextureTotals SceneRead::kept_totals(const std::vector<bool>& images) const {
+  TextureTotals out;
+  std::vector<bool> as_they_are = images;
+  std::set<std::string> files;
+  for (const auto& [image, picture] : light) {
+    const auto i = static_cast<std::size_t>(image);
+    as_they_are[i] = false;
+    if (images[i] && files.insert(picture.texel ? picture.texel->name : scene.images[i].path).second)
+      out.add(picture.totals);
+  }
+  out.add(input_totals(as_they_are));
+  return out;
 }
 
-PackInputs ScenePack::inputs() {
-  return state_->inputs;
+std::uint64_t SceneRead::replaced_gpu_bytes() const {
+  const std::vector<ImageRole> roles = image_roles(*scene.json, scene.path);
+  std::vector<bool> replaced(roles.size());
+  for (std::size_t i = 0; i < roles.size(); ++i) replaced[i] = roles[i].material && scene.image_used[i];
+  return input_totals(replaced).gpu;
 }
 
-PackedScene ScenePack::packed() const {
+bool SceneRead::writes_scene() const {
+  // glTF's materials name no part of a texture for one channel: one page is for programs that read layout.json.
+  if (options.output.goal == PackGoal::one_page) return false;
+  return std::ranges::find(options.output.write.formats, "png") != options.output.write.formats.end();
+}
+
+int SceneRead::sampled_levels(int levels) const {
+  const bool mips = std::ranges::any_of(entries, [this](const Entry& entry) {
+    const GltfTexture* lead = leading_texture(material(entry));
+    return lead != nullptr && lead->sampler.mipmaps;
+  });
+  if (!mips) return 1;
+  return levels == 0 ? 0 : std::max(levels, sampled_gutter_levels);
+}
+
+PackedScene SceneRead::packed() const {
   PackedScene out;
-  out.uses = &*state_->uses;
-  for (std::size_t i = 0; i < state_->entries.size(); ++i) {
-    const State::Entry& entry = state_->entries[i];
+  out.uses = &*uses;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Entry& entry = entries[i];
     out.materials.emplace(entry.material,
-                          PackedScene::Material{state_->inputs.materials[i].name, entry.pair.get(),
+                          PackedScene::Material{inputs.materials[i].name, entry.pair.get(),
                                                 entry.use ? &*entry.use : nullptr, &entry.metallic});
   }
   return out;
 }
 
-int ScenePack::sampled_levels(int levels) const {
-  bool mips = false;
-  for (const auto& entry : state_->entries) {
-    const GltfMaterial& m = state_->scene.materials[static_cast<std::size_t>(entry.material)];
-    const GltfTexture* lead = leading_texture(m);
-    mips = mips || (lead != nullptr && lead->sampler.mipmaps);
+std::unique_ptr<const SceneRead> read_scene(const std::string& path, const PackOptions& options) {
+  auto out = std::make_unique<SceneRead>(
+      SceneRead{options, options.input.pictures.gloss.value_or(GlossForm::one_minus_roughness),
+                read_gltf(path, options.input.gltf)});
+  SceneRead& read = *out;
+  read.stands_for = first_of_same_images(read.scene);
+  read.uses.emplace(read.scene);
+  read.inputs.gloss = read.gloss;
+  check_gloss(read.gloss, options.output.forms);
+  std::set<std::string> names;
+  for (const GltfMaterial& m : read.scene.materials) add_material(m, names, read);
+  const auto pictures = std::make_shared<DecodedPictures>(read);
+  for (const SceneRead::Entry& entry : read.entries) pictures->await(read.material(entry));
+  parallel_chunks(read.entries.size(), options.run.threads, 1,
+                  [&](std::size_t begin, std::size_t, unsigned) { learn(read, begin, pictures); });
+  find_light_pictures(read);
+  for (std::size_t i = 0; i < read.entries.size(); ++i) {
+    const SceneRead::Entry& entry = read.entries[i];
+    read.remarks.insert(read.remarks.end(), entry.remarks.begin(), entry.remarks.end());
+    if (entry.clamped > 0)
+      read.remarks.push_back(read.inputs.materials[i].name + ": gloss of " + number(entry.clamped, 3) +
+                             " % of the texels lies outside of what the form " +
+                             std::string(name(read.gloss)) + " can hold and was brought back to its ends");
   }
-  if (!mips) return 1;
-  return levels == 0 ? 0 : std::max(levels, sampled_gutter_levels);
-}
-
-void ScenePack::add_files(std::vector<std::string>& files) const {
-  for (std::size_t i = 0; i < state_->scene.images.size(); ++i)
-    if (const std::string& path = state_->scene.images[i].path; !path.empty() && fs::exists(path))
-      files.push_back(path);
-}
-
-void ScenePack::add_remarks(std::vector<std::string>& remarks) const {
-  remarks.insert(remarks.end(), state_->remarks.begin(), state_->remarks.end());
-  state_->tell_light_pictures(remarks);
-  if (!state_->costs.empty() && state_->others_in(state_->forms) == Others::stay)
-    for (const State::Entry& entry : state_->entries) {
-      const auto index = static_cast<std::size_t>(entry.material);
-      const GltfMaterial& m = state_->scene.materials[index];
-      if (state_->scene.material_used[index] && !is_plain_metal_rough(m))
-        remarks.push_back((m.name.empty() ? "material " + std::to_string(m.index) : m.name) +
-                          ": is not of plain metal-rough form and stays as it is in scene.gltf");
-    }
-  if (!state_->writes_scene())
-    remarks.push_back("no scene.gltf was written: its pictures are PNG, which " + setting("textures") +
-                      " does not name");
+  ContentHash hash;
+  hash.add(*read.scene.json);
+  for (const std::string& buffer : *read.scene.buffers) hash.add(buffer);
+  read.inputs.settings = hash.hex();
+  return out;
 }
 
 }  // namespace etak

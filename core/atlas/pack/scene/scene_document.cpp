@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/scene/scene_facts.h"
 #include "core/atlas/pack/scene/scene_pictures.h"
 #include "core/atlas/pack/table.h"
@@ -74,7 +75,7 @@ bool reads_pages(const AtlasMaterial& m) {
 }
 
 // Puts the one colour of textures that stay beside the pages into the material's own factors.
-void fold_textures(const ScenePack::State& s, const GltfMaterial& m, AtlasMaterial& to) {
+void fold_textures(const SceneRead& s, const GltfMaterial& m, AtlasMaterial& to) {
   if (!to.own_factors) return;
   const auto texel_of = [&](const std::optional<GltfTexture>& texture) -> const OneTexel* {
     if (!texture) return nullptr;
@@ -93,12 +94,12 @@ void fold_textures(const ScenePack::State& s, const GltfMaterial& m, AtlasMateri
   }
 }
 
-AtlasMaterial atlas_material(const ScenePack::State& s, const SceneMaps& scene_maps, std::size_t i,
+AtlasMaterial atlas_material(const SceneRead& s, const SceneMaps& scene_maps, std::size_t i,
                              const std::vector<GltfForm>& forms, const PackDecision& decision,
                              ImageList& images) {
-  const ScenePack::State::Entry& entry = s.entries[i];
+  const SceneRead::Entry& entry = s.entries[i];
   const PackInput& in = s.inputs.materials[i];
-  const GltfMaterial& m = s.scene.materials[static_cast<std::size_t>(entry.material)];
+  const GltfMaterial& m = s.material(entry);
   const MaterialFate& fate = decision.left_out.fates[i];
   AtlasMaterial to;
   to.material = entry.material;
@@ -157,22 +158,25 @@ TextureTotals SceneOutput::file(std::size_t image, const PackDecision& decision)
   return {1, 0, texture_bytes(images.headers[image], true)};
 }
 
-bool is_written(const ScenePack::State& s, int material, Others others) {
-  const auto index = static_cast<std::size_t>(material);
-  return s.scene.material_used[index] &&
-         (others == Others::written || is_plain_metal_rough(s.scene.materials[index]));
+bool is_written(const SceneRead& read, const SceneRead::Entry& entry, Others others) {
+  return read.is_used(entry) && (others == Others::written || is_plain_metal_rough(read.material(entry)));
 }
 
-SceneOutput scene_output(const ScenePack::State& s, const SceneMaps& maps, const std::vector<GltfForm>& forms,
+Others others_in(const SceneRead& read, const std::vector<GltfForm>& forms) {
+  const bool plain_alone = forms == std::vector{GltfForm::metal_rough};
+  return read.options.output.smallest_form && plain_alone ? Others::stay : Others::written;
+}
+
+SceneOutput scene_output(const SceneRead& s, const SceneMaps& maps, const std::vector<GltfForm>& forms,
                          const PackDecision& decision) {
   SceneOutput out;
   out.gltf.forms = forms;
-  out.others = s.others_in(forms);
+  out.others = others_in(s, forms);
   out.gltf.stands_for = s.stands_for;
   for (const auto& [image, picture] : s.light)
     if (picture.texel) out.gltf.rewritten.emplace(image, picture.texel->name);
   for (std::size_t i = 0; i < s.entries.size(); ++i)
-    if (is_written(s, s.entries[i].material, out.others))
+    if (is_written(s, s.entries[i], out.others))
       out.gltf.materials.push_back(atlas_material(s, maps, i, forms, decision, out.images));
   out.gltf.images = out.images.names;
   return out;

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/pack/scene/scene_state.h"
+#include "core/atlas/pack/decision.h"
+#include "core/atlas/pack/scene/gltf_pack.h"
+#include "core/atlas/pack/scene/scene_maps.h"
 
 namespace etak {
 
@@ -34,10 +36,14 @@ struct SceneOutput {
   TextureTotals file(std::size_t image, const PackDecision& decision) const;
 };
 
-/// Whether the packer writes this material, by its number in the document, or leaves it as it was.
-bool is_written(const ScenePack::State& scene, int material, Others others);
+/// Whether the packer writes this material or leaves it as it was.
+bool is_written(const SceneRead& read, const SceneRead::Entry& entry, Others others);
 
-SceneOutput scene_output(const ScenePack::State& scene, const SceneMaps& maps,
-                         const std::vector<GltfForm>& forms, const PackDecision& decision);
+/// What becomes of other materials in these forms: where the smallest is asked for, they stay as they are beside
+/// plain ones in metal-rough form.
+Others others_in(const SceneRead& read, const std::vector<GltfForm>& forms);
+
+SceneOutput scene_output(const SceneRead& read, const SceneMaps& maps, const std::vector<GltfForm>& forms,
+                         const PackDecision& decision);
 
 }  // namespace etak

@@ -10,6 +10,7 @@
 
 #include "core/atlas/pack/scene/scene_pictures.h"
 #include "core/atlas/texels/compose.h"
+#include "core/image/load.h"
 #include "core/image/texture_bytes.h"
 
 namespace etak {
@@ -54,12 +55,11 @@ Placing placing_of(std::size_t owner, const PackDecision& decision) {
   return out;
 }
 
-// As RGBA; 255 where there is no picture.
-Image8 four(const std::optional<int>& image, int width, int height,
-            const std::function<Image8(int)>& picture) {
-  Image8 out(width, height, 4, 255);
+// An image of the document as RGBA of the input's size; 255 where there is none.
+Image8 four(const std::optional<int>& image, const PackInput& in, const SceneRead& read) {
+  Image8 out(in.width, in.height, 4, 255);
   if (!image) return out;
-  const Image8 from = picture(*image);
+  const Image8 from = codes_of(read.decoded(*image), false);
   const auto channels = static_cast<std::size_t>(from.channels);
   for (std::size_t i = 0; i < out.pixel_count(); ++i) {
     const auto texel = four_channels(from.values.data() + channels * i, channels, std::uint8_t{255});
@@ -76,47 +76,50 @@ void copy_channel(const Image8& from, Image8& to, std::size_t channel) {
   for (std::size_t i = channel; i < to.values.size(); i += 4) to.values[i] = from.values[i];
 }
 
-MaterialPair color_of(const MaterialMaps& maps, const PackInput& in,
-                      const std::function<Image8(int)>& picture) {
+MaterialPair color_of(const MaterialMaps& maps, const PackInput& in, const SceneRead& read) {
   const std::optional<int> base = maps.exact ? maps.base_color : std::nullopt;
   const std::optional<int> metal = maps.exact ? maps.metal_rough : std::nullopt;
-  MaterialPair out{four(base, in.width, in.height, picture), four(metal, in.width, in.height, picture)};
+  MaterialPair out{four(base, in, read), four(metal, in, read)};
   if (in.facts.opaque) fill_channel(out.diffuse_alpha, 3);
   fill_channel(out.specular_gloss, 3);
   if (!maps.occlusion)
     fill_channel(out.specular_gloss, 0);
   else if (maps.occlusion != metal)
-    copy_channel(four(maps.occlusion, in.width, in.height, picture), out.specular_gloss, 0);
+    copy_channel(four(maps.occlusion, in, read), out.specular_gloss, 0);
   return out;
 }
 
-MaterialPair geometry_of(const MaterialMaps& maps, const PackInput& in,
-                         const std::function<Image8(int)>& picture) {
-  return {four(maps.normal, in.width, in.height, picture), four(maps.emissive, in.width, in.height, picture)};
+MaterialPair geometry_of(const MaterialMaps& maps, const PackInput& in, const SceneRead& read) {
+  return {four(maps.normal, in, read), four(maps.emissive, in, read)};
 }
 
 // The regions of a page whose owners have maps, on a page that has both textures.
 struct MappedPage {
+  int number = 0;
   std::vector<Region> regions;
   PackingPlan plan;
 };
 
-template <class PairOfOwner>
-void compose(int page, const MappedPage& on, const SceneMaps& maps, const PackInputs& inputs,
-             unsigned threads, const PairOfOwner& pair_of, PagePixels& pixels) {
-  std::vector<PackInput> materials(inputs.materials.size());
+using PairOfOwner = MaterialPair (*)(const MaterialMaps&, const PackInput&, const SceneRead&);
+
+PagePixels composed(const MappedPage& page, const SceneMaps& maps, const SceneRead& read, unsigned threads,
+                    PairOfOwner pair_of) {
+  std::vector<PackInput> materials(read.inputs.materials.size());
   for (const auto& [owner, of] : maps) {
-    PackInput& in = materials[owner] = inputs.materials[owner];
+    const PackInput& from = read.inputs.materials[owner];
+    PackInput& in = materials[owner] = from;
     in.facts.learned = true;
-    in.convert = [&pair_of, &of = of, &from = inputs.materials[owner]](std::vector<std::string>&) {
-      return pair_of(of, from);
+    in.convert = [pair_of, &of = of, &from, &read](std::vector<std::string>&) {
+      return pair_of(of, from, read);
     };
   }
   std::vector<Learned> learned(materials.size());
-  pixels.start(on.plan.pages[static_cast<std::size_t>(page)], 1);
-  Composer composer(materials, on.regions, on.plan, {threads});
-  composer.texels(page, pixels, learned);
-  composer.mips(page, pixels);
+  PagePixels out;
+  out.start(page.plan.pages[static_cast<std::size_t>(page.number)], 1);
+  Composer composer(materials, page.regions, page.plan, {threads});
+  composer.texels(page.number, out, learned);
+  composer.mips(page.number, out);
+  return out;
 }
 
 std::set<std::size_t> owners_on(int page, const PackDecision& decision) {
@@ -188,16 +191,13 @@ bool is_plain_metal_rough(const GltfMaterial& m) {
          m.specular_color == std::array<double, 3>{1, 1, 1} && !m.specular_color_texture;
 }
 
-SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, const PackInputs& inputs,
-                     const PackDecision& decision, Others others,
-                     const std::function<PictureHeader(int image)>& header) {
+SceneMaps scene_maps(const SceneRead& read, const PackDecision& decision, Others others) {
   std::map<std::size_t, Users> users;
-  for (std::size_t i = 0; i < materials.size(); ++i) {
+  for (std::size_t i = 0; i < read.entries.size(); ++i) {
     const MaterialFate& fate = decision.left_out.fates[i];
-    const auto material = static_cast<std::size_t>(materials[i]);
-    if (!fate.texels || !scene.material_used[material]) continue;
+    if (!fate.texels || !read.is_used(read.entries[i])) continue;
     Users& of_owner = users[fate.owner];
-    const GltfMaterial& m = scene.materials[material];
+    const GltfMaterial& m = read.material(read.entries[i]);
     if (others == Others::written || is_plain_metal_rough(m)) of_owner.push_back(&m);
   }
   SceneMaps out;
@@ -208,9 +208,9 @@ SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, 
     }
     const Placing placing = placing_of(owner, decision);
     if (!placing.any || !placing.whole_size) continue;
-    const PackInput& in = inputs.materials[owner];
+    const PackInput& in = read.inputs.materials[owner];
     const auto fits = [&](int image) {
-      const PictureHeader h = header(image);
+      const PictureHeader& h = read.header(image);
       return h.width == in.width && h.height == in.height && h.bits == 8 && !h.floating;
     };
     MaterialMaps maps;
@@ -222,6 +222,9 @@ SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, 
     if (!placing.turned) maps.normal = shared_image(of, &GltfMaterial::normal_texture, fits);
     maps.exact =
         std::all_of(of.begin(), of.end(), [](const GltfMaterial* m) { return is_plain_metal_rough(*m); });
+    for (std::optional<int>* image :
+         {&maps.base_color, &maps.metal_rough, &maps.occlusion, &maps.normal, &maps.emissive})
+      if (*image) *image = read.stands_for[static_cast<std::size_t>(**image)];
     out.emplace(owner, maps);
   }
   return out;
@@ -266,11 +269,10 @@ SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, 
   return out;
 }
 
-MapPixels map_pixels(int page, const SceneMaps& maps, const PackInputs& inputs, const PackDecision& decision,
-                     unsigned threads, const std::function<Image8(int image)>& picture) {
+MapPixels map_pixels(int page, const SceneMaps& maps, const SceneRead& read, const PackDecision& decision,
+                     unsigned threads) {
   MapPixels out;
-  MappedPage on;
-  on.plan = decision.plan;
+  MappedPage on{page, {}, decision.plan};
   on.plan.places.clear();
   on.plan.pages[static_cast<std::size_t>(page)].has = {true, true};
   bool color = false, geometry = false;
@@ -284,16 +286,8 @@ MapPixels map_pixels(int page, const SceneMaps& maps, const PackInputs& inputs, 
     color = color || of.occlusion || (of.exact && (of.base_color || of.metal_rough));
     geometry = geometry || of.normal || of.emissive;
   }
-  if (color)
-    compose(
-        page, on, maps, inputs, threads,
-        [&](const MaterialMaps& of, const PackInput& in) { return color_of(of, in, picture); },
-        out.color.emplace());
-  if (geometry)
-    compose(
-        page, on, maps, inputs, threads,
-        [&](const MaterialMaps& of, const PackInput& in) { return geometry_of(of, in, picture); },
-        out.geometry.emplace());
+  if (color) out.color = composed(on, maps, read, threads, color_of);
+  if (geometry) out.geometry = composed(on, maps, read, threads, geometry_of);
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/atlas/pack/decision.h"
+#include "core/atlas/pack/scene/gltf_pack.h"
 #include "core/atlas/pack/totals.h"
 #include "core/atlas/sources/sources.h"
 #include "core/atlas/texels/page_pixels.h"
@@ -33,12 +34,8 @@ struct MaterialMaps {
 /// By the material (index of the inputs) that owns the texels.
 using SceneMaps = std::map<std::size_t, MaterialMaps>;
 
-/// Which textures can be placed.
-///   materials   of the document, beside the inputs
-///   header      of an image of the document
-SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, const PackInputs& inputs,
-                     const PackDecision& decision, Others others,
-                     const std::function<PictureHeader(int image)>& header);
+/// Which textures can be placed; of images of the same bytes the first.
+SceneMaps scene_maps(const SceneRead& read, const PackDecision& decision, Others others);
 
 /// How textures are weighed.
 ///   kept   what an image of the document takes as it is
@@ -66,8 +63,7 @@ struct MapPixels {
   std::vector<std::size_t> regions;           // of the page, whose owners have maps
 };
 
-///   picture   decodes an image of the document: codes, any number of channels
-MapPixels map_pixels(int page, const SceneMaps& maps, const PackInputs& inputs, const PackDecision& decision,
-                     unsigned threads, const std::function<Image8(int image)>& picture);
+MapPixels map_pixels(int page, const SceneMaps& maps, const SceneRead& read, const PackDecision& decision,
+                     unsigned threads);
 
 }  // namespace etak

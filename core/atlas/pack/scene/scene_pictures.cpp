@@ -242,11 +242,11 @@ void add_scene_picture_sizes(const ScenePictureInput& in, const WriteOptions& op
     }
 }
 
-std::vector<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
-                                              const WriteOptions& options) {
-  std::vector<std::string> names;
+std::set<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
+                                           const WriteOptions& options) {
+  std::set<std::string> names;
   ScenePictures{in}.each_read([&](const std::string& name, const Image8& picture) {
-    folder.write(names.emplace_back(name), file_of(picture, options).bytes);
+    folder.write(*names.insert(name).first, file_of(picture, options).bytes);
   });
   return names;
 }

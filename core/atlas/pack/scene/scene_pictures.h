@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ void add_scene_picture_sizes(const ScenePictureInput& in, const WriteOptions& op
 /// Writes those pictures that the scene reads beside the page's two textures, level 0, as PNG files of as few
 /// channels as hold them; where the level is weighed, in the form of fewest bytes (least_png()). Returns the
 /// names of the files.
-std::vector<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
-                                              const WriteOptions& options);
+std::set<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
+                                           const WriteOptions& options);
 
 }  // namespace etak

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/exchange/f0_worker.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
+#include "core/base/memory.h"
+#include "core/base/system.h"
+#include "core/exchange/rii/axis_pages.h"
+#include "core/exchange/table.h"
+#include "core/material/json.h"
+#include "core/material/names.h"
+#include "core/material/quality.h"
+
+namespace etak {
+namespace {
+
+std::string kind_of(Origin origin) {
+  return std::string(origin == Origin::unknown ? std::string_view() : name(origin));
+}
+
+F0Result refused(std::string reason, Flags flags = {}) {
+  F0Result out;
+  out.refusal = std::move(reason);
+  out.flags = flags;
+  return out;
+}
+
+// What the user says of a bare table or page.
+void state_row(const F0Job& job, F0Row& row) {
+  row.material_class = job.tables.material_class;
+  if (job.tables.origin) row.kind = kind_of(*job.tables.origin);
+  if (!gives_f0(row.material_class)) drop_zone(row.result);
+}
+
+}  // namespace
+
+F0StageTimes& F0StageTimes::operator+=(const F0StageTimes& other) {
+  read += other.read;
+  parse += other.parse;
+  print += other.print;
+  f0.interpolate += other.f0.interpolate;
+  f0.fresnel += other.f0.fresnel;
+  f0.sum += other.f0.sum;
+  bytes += other.bytes;
+  return *this;
+}
+
+F0Outcome F0Worker::answer(const MaterialInput& input, const F0Job& job) {
+  return with_memory_for(
+      input.path, [&] { return mebibytes(text_.size()) + " of text"; },
+      [&] { return answer_in_memory(input, job); });
+}
+
+F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& job) {
+  if (input.kind == MaterialInput::Kind::failed) throw Error(input.path);
+  F0Outcome out;
+  out.row.path = input.label();
+  if (input.kind == MaterialInput::Kind::material) {
+    if (job.materials)
+      out.material = read_material(input, job.tables);
+    else if (job.tables.states())
+      answer_dataset(read_material(input, job.tables), input, job, out.row);
+    else
+      answer_dataset(*input.material, input, job, out.row);
+    return out;
+  }
+  Stopwatch watch(job.timed);
+  read_file(input.path, text_);
+  times.bytes += text_.size();
+  watch.lap(times.read);
+  if (is_prose(input, text_)) {
+    out.kind = F0Outcome::Kind::prose;
+  } else if (input.file == MaterialFileKind::page) {
+    parse_rii_page(text_, input.path, page_);
+    watch.lap(times.parse);
+    answer_page(input, job, out);
+  } else if (job.materials) {
+    out.material = material_of_text(text_, input.path, input.file, job.tables);
+  } else if (input.file == MaterialFileKind::table) {
+    const Table table = parse_table(text_, input.path, job.tables);
+    watch.lap(times.parse);
+    out.row.result = solve(table.optics, table.flags, job);
+    state_row(job, out.row);
+  } else {
+    Material material = parse_material(text_, input.path);
+    state(material, job.tables);
+    watch.lap(times.parse);
+    answer_dataset(material, input, job, out.row);
+  }
+  return out;
+}
+
+// Answers for page_.
+void F0Worker::answer_page(const MaterialInput& input, const F0Job& job, F0Outcome& out) {
+  if (page_.kind != PageKind::constants) {
+    const bool nonlinear = page_.kind == PageKind::nonlinear;
+    if (!input.from_folder)
+      throw Error::at(input.path, nonlinear ? "holds n2 data" : "holds no optical constants",
+                      "a page of n and k");
+    out.kind = nonlinear ? F0Outcome::Kind::nonlinear : F0Outcome::Kind::other;
+    return;
+  }
+  if (page_.flags.has(Flag::computed)) out.row.kind = etak::name(Origin::computed);
+  if (!page_.refusal.empty()) {
+    out.row.result = refused(page_.refusal, page_.flags);
+  } else if (job.materials) {
+    out.material = material_of_page(std::move(page_), input.path, {});
+    state(*out.material, job.tables);
+    return;
+  } else {
+    if (job.with_source) out.row.source = one_line(citation_of_page(page_, input.path));
+    out.row.result = job.axis_average && !is_pipe_input(input.path) ? average_pages(input, job, out.row)
+                                                                    : solve(page_.optics, page_.flags, job);
+  }
+  state_row(job, out.row);
+}
+
+F0Result F0Worker::average_pages(const MaterialInput& input, const F0Job& job, F0Row& row) {
+  const std::vector<AxisPage> axes = axis_pages(input.path);
+  if (axes.empty()) return solve(page_.optics, page_.flags, job);
+  std::vector<RiiPage> others(axes.size());
+  std::vector<F0Solver::Part> parts;
+  Flags flags;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const std::string& path = axes[i].path;
+    RiiPage& page = path == input.path ? page_ : others[i];
+    if (&page != &page_) {
+      if (sys::FileInfo info; !sys::file_info(path, info))
+        return refused("no average over axes: " + path.substr(input.label_at) + " is missing", page_.flags);
+      read_file(path, text_);
+      parse_rii_page(text_, path, page);
+    }
+    if (!page.refusal.empty() || page.kind != PageKind::constants)
+      return refused("no average over axes: " + path.substr(input.label_at) + " has no usable n", page.flags);
+    parts.push_back({&page.optics, axes[i].weight});
+    flags |= page.flags;
+    row.dataset += (i == 0 ? "" : " + ") + path.substr(input.path.rfind('/') + 1);
+  }
+  return job.solver.solve(parts, flags);
+}
+
+void F0Worker::answer_dataset(const Material& material, const MaterialInput& input, const F0Job& job,
+                              F0Row& row) {
+  const Dataset& dataset = dataset_named(material, input.dataset, input.path);
+  row.alias_note = input.alias_note;
+  row.name = material.name;
+  row.material_class = material.material_class;
+  row.dataset = dataset.id;
+  row.source = one_line(dataset.citation);
+  row.kind = kind_of(dataset.origin);
+  row.doubt = doubt(material, dataset);
+  const auto average =
+      job.axis_average ? average_over_axes(job.solver, material, dataset) : std::optional<AxisAverage>();
+  if (!average) {
+    row.result = etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr);
+    return;
+  }
+  if (!average->datasets.empty() && !average->result.refused()) row.dataset = average->datasets;
+  if (row.doubt.empty()) row.doubt = average->doubt;
+  row.result = average->result;
+}
+
+}  // namespace etak

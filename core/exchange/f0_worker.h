@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "core/base/stopwatch.h"
+#include "core/exchange/f0_row.h"
+#include "core/exchange/material_input.h"
+#include "core/exchange/rii/rii_page.h"
+
+namespace etak {
+
+/// Seconds that each stage of an F0 run took, added up over threads, and the bytes that were read.
+struct F0StageTimes {
+  double read = 0, parse = 0, print = 0;
+  F0Timing f0;
+  std::size_t bytes = 0;
+
+  F0StageTimes& operator+=(const F0StageTimes& other);
+};
+
+/// Values that all workers of a run share.
+struct F0Job {
+  const F0Solver& solver;
+  TableOptions tables;
+  bool axis_average = false;
+  bool with_source = false;  // fill in F0Row::source
+  bool timed = false;
+  bool materials = false;  // fill in F0Outcome::material in place of computing results
+};
+
+/// The result for one input.
+struct F0Outcome {
+  enum class Kind {
+    answered,   // `row` holds a result, possibly a refused one
+    nonlinear,  // a database file of n2 data: no page
+    other,      // a database file without optical constants: no page
+    prose       // a text file of a folder that holds no table
+  };
+  Kind kind = Kind::answered;
+  F0Row row;
+  std::optional<Material>
+      material;  // where the job asks for it; none of a page that gives no n and is refused
+};
+
+/// Computes F0 of inputs one after the other, on one thread; its buffers are used again for the next input.
+class alignas(64) F0Worker {
+ public:
+  /// Throws Error for input that cannot be read or understood.
+  F0Outcome answer(const MaterialInput& input, const F0Job& job);
+
+  F0StageTimes times;
+
+ private:
+  F0Outcome answer_in_memory(const MaterialInput& input, const F0Job& job);
+  void answer_page(const MaterialInput& input, const F0Job& job, F0Outcome& out);
+  F0Result average_pages(const MaterialInput& input, const F0Job& job, F0Row& row);
+  void answer_dataset(const Material& material, const MaterialInput& input, const F0Job& job, F0Row& row);
+  F0Result solve(const Optics& optics, Flags flags, const F0Job& job) {
+    return job.solver.solve(optics, flags, job.timed ? &times.f0 : nullptr);
+  }
+
+  std::string text_;
+  RiiPage page_;
+};
+
+}  // namespace etak

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reflectance of homogeneous layers on a base, under a medium that does not absorb. Based on:
+//   Born and Wolf, "Principles of Optics", section 1.6; Heavens 1955, "Optical Properties of Thin Solid Films": the
+//   recursion of amplitudes from the base outwards
+// Waves go as exp(-i w t), so that N = n + i k has k >= 0. The recursion multiplies by the wave's decay on its way through a
+// layer and back, which is never above 1: nothing overflows for opaque layers, as products of matrices do.
+//   n0   index of the outside medium
+//   c    cosine of incidence there, [0, 1]
+
+struct Complex {
+  real re;
+  real im;
+};
+
+Complex complex_product(Complex a, Complex b) {
+  Complex product;
+  product.re = a.re * b.re - a.im * b.im;
+  product.im = a.re * b.im + a.im * b.re;
+  return product;
+}
+
+Complex complex_sum(Complex a, Complex b) {
+  Complex sum;
+  sum.re = a.re + b.re;
+  sum.im = a.im + b.im;
+  return sum;
+}
+
+Complex complex_quotient(Complex a, Complex b) {
+  real inverse = 1 / max(b.re * b.re + b.im * b.im, tiny);
+  Complex quotient;
+  quotient.re = (a.re * b.re + a.im * b.im) * inverse;
+  quotient.im = (a.im * b.re - a.re * b.im) * inverse;
+  return quotient;
+}
+
+real complex_square(Complex a) {
+  return a.re * a.re + a.im * a.im;
+}
+
+// A wave in a medium.
+//   n, k   of the medium
+//   q      n0^2 times the squared sine of incidence, which all media of a stack have alike
+//   w      1 / N^2
+//   s, p   N cos and cos / N, by which media differ for light polarised across and along the plane of incidence
+struct FilmWave {
+  real n;
+  real k;
+  real q;
+  Complex w;
+  Complex s;
+  Complex p;
+};
+
+// The square of N cos is N^2 - q. Of its two forms that one is taken whose parts cancel less: near normal incidence
+// n^2 - k^2 - q, at grazing angles (n - n0)(n + n0) - k^2 + (n0 c)^2.
+FilmWave film_wave(real n0, real c, real n, real k) {
+  FilmWave wave;
+  wave.n = n;
+  wave.k = k;
+  wave.q = n0 * n0 * ((1 - c) * (1 + c));
+  real grazing = n0 * c * (n0 * c);
+  real excess = (n - n0) * (n + n0);
+  real x_normal = (n - k) * (n + k) - wave.q;
+  real x_grazing = excess - k * k + grazing;
+  real x = max(n * n, wave.q) < max(abs(excess), grazing) ? x_normal : x_grazing;
+  real y = 2 * n * k;
+  real big = sqrt((sqrt(x * x + y * y) + abs(x)) / 2);
+  real small = y / (2 * max(big, tiny));
+  wave.s.re = x < 0 ? small : big;
+  wave.s.im = x < 0 ? big : small;
+  real inverse = 1 / max(n * n + k * k, tiny);
+  wave.w.re = (n - k) * (n + k) * inverse * inverse;
+  wave.w.im = -y * inverse * inverse;
+  wave.p = complex_product(wave.s, wave.w);
+  return wave;
+}
+
+// Amplitudes of both polarisations.
+struct FilmPair {
+  Complex s;
+  Complex p;
+};
+
+// What an interface reflects of a wave in `a` that meets `b`. Differences are formed from N_a - N_b alone, so that media
+// of nearly the same index keep their digits: (a - b) / (a + b) = (a^2 - b^2) / (a + b)^2, and the same for cos / N.
+FilmPair film_interface(FilmWave a, FilmWave b) {
+  Complex difference;
+  difference.re = a.n - b.n;
+  difference.im = a.k - b.k;
+  Complex sum;
+  sum.re = a.n + b.n;
+  sum.im = a.k + b.k;
+  Complex squares = complex_product(difference, sum);
+  Complex s = complex_sum(a.s, b.s);
+  Complex p = complex_sum(a.p, b.p);
+  Complex brewster;
+  brewster.re = a.q * (a.w.re + b.w.re) - 1;
+  brewster.im = a.q * (a.w.im + b.w.im);
+  FilmPair r;
+  r.s = complex_quotient(complex_quotient(squares, s), s);
+  r.p = complex_product(complex_quotient(complex_product(squares, a.w), p),
+                        complex_quotient(complex_product(brewster, b.w), p));
+  return r;
+}
+
+// The amplitude that a wave keeps on its way through a layer and back, exp(2 i phase).
+//   turns   2 pi times the layer's thickness over the wavelength in vacuum
+Complex film_way_back(FilmWave layer, real turns) {
+  real decay = exp(-2 * turns * layer.s.im);
+  real angle = 2 * turns * layer.s.re;
+  Complex way;
+  way.re = decay * cos(angle);
+  way.im = decay * sin(angle);
+  return way;
+}
+
+Complex film_joined(Complex above, Complex below, Complex way) {
+  Complex back = complex_product(below, way);
+  Complex under = complex_product(above, back);
+  under.re = under.re + 1;
+  return complex_quotient(complex_sum(above, back), under);
+}
+
+// What a layer on something reflects.
+//   interface   of the layer's upper side
+//   below       what its lower side reflects
+FilmPair film_layer(FilmPair interface, FilmPair below, Complex way) {
+  FilmPair r;
+  r.s = film_joined(interface.s, below.s, way);
+  r.p = film_joined(interface.p, below.p, way);
+  return r;
+}
+
+// Reflectance for unpolarised light.
+real film_mean(FilmPair r) {
+  return (complex_square(r.s) + complex_square(r.p)) / 2;
+}
+
+// One layer on a base.
+//   n1, k1, turns1   of the layer
+//   n, k             of the base
+real film_reflectance(real n0, real n1, real k1, real turns1, real n, real k, real c) {
+  FilmWave outside = film_wave(n0, c, n0, real(0));
+  FilmWave layer = film_wave(n0, c, n1, k1);
+  FilmPair below = film_interface(layer, film_wave(n0, c, n, k));
+  return film_mean(film_layer(film_interface(outside, layer), below, film_way_back(layer, turns1)));
+}
+
+// At normal incidence, where both polarisations are one and the waves' N cos is N.
+//   n, k, m, l   of the media above and below
+Complex film_interface_ahead(real n, real k, real m, real l) {
+  Complex difference;
+  difference.re = n - m;
+  difference.im = k - l;
+  Complex sum;
+  sum.re = n + m;
+  sum.im = k + l;
+  return complex_quotient(difference, sum);
+}
+
+Complex film_way_back_ahead(real n, real k, real turns) {
+  real decay = exp(-2 * turns * k);
+  real angle = 2 * turns * n;
+  Complex way;
+  way.re = decay * cos(angle);
+  way.im = decay * sin(angle);
+  return way;
+}
