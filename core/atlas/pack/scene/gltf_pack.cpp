@@ -8,7 +8,6 @@
 #include <set>
 
 #include "core/atlas/pack/pack.h"
-#include "core/atlas/pack/scene/conversion_cost.h"
 #include "core/atlas/pack/scene/scene_facts.h"
 #include "core/atlas/pack/scene/scene_maps.h"
 #include "core/atlas/sources/floats.h"
@@ -21,6 +20,7 @@
 #include "core/image/files/png_keep.h"
 #include "core/image/load.h"
 #include "core/image/texture_bytes.h"
+#include "core/scene/conversion_cost.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/image_roles.h"
 #include "core/scene/texel_scale.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/pack/scene/conversion_cost.h"
+#include "core/scene/conversion_cost.h"
 
 #include <catch2/catch.hpp>
 
