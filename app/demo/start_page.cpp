@@ -35,9 +35,7 @@ void append_start_head(std::string& out, const StartPageData& data) {
       "content=\"width=device-width, initial-scale=1\"><title>etak: measured optics into materials</title>\n"
       "<style>",
       page_css, start_css, "</style></head>\n<body>\n<header><h1>etak</h1>\n<p class=\"lead\">",
-      "From η and k, the complex index of refraction: etak turns measured optics into materials a renderer "
-      "can trust, says what every shortcut costs in colour, packs the result and finds what cannot be real."
-      "</p>\n<ul class=\"facts\">");
+      "From η and k, the complex index of refraction: etak turns measured optics into materials a renderer can trust, says what every shortcut costs in colour, packs the result and finds what cannot be real.</p>\n<ul class=\"facts\">");
   append(out, "<li><b>", std::to_string(data.library.size() - surfaces),
          "</b> materials with an F0</li><li><b>", std::to_string(surfaces),
          "</b> everyday surfaces</li><li><b>", std::to_string(datasets),
@@ -68,12 +66,9 @@ void append_wall(std::string& out, const StartPageData& data) {
   append(
       out, "<section id=\"spheres\"><h2>Measured, and as programs compute it</h2>\n<p>",
       std::to_string(data.materials.size()),
-      " materials in the same studio. The first sphere reflects by the measured spectrum at every angle, the "
-      "second by Schlick's curve from F0. The third of metals and semiconductors is by F82, which keeps the "
-      "colour of metals near the rim; the third of clear materials is by the exact form from F0, all that it "
-      "needs. A clear ball shows the studio through itself. Below: the mean colour difference from the "
-      "first, CIEDE2000, and its worst pixel; 1 is about what an eye can tell: half of 175 observers told "
-      "ceramic samples apart at 0.8 (<a href=\"https://doi.org/10.1111/jerd.12149\">Paravina et al. "
+      " materials in the same studio. The first sphere reflects by the measured spectrum at every angle, the second by Schlick's curve from F0. The third of metals and semiconductors is by F82, which keeps the "
+      "colour of metals near the rim; the third of clear materials is by the exact form from F0, all that it needs. A clear ball shows the studio through itself. Below: the mean colour difference from the "
+      "first, CIEDE2000, and its worst pixel; 1 is about what an eye can tell: half of 175 observers told ceramic samples apart at 0.8 (<a href=\"https://doi.org/10.1111/jerd.12149\">Paravina et al. "
       "2015</a>). Tone curve: Khronos PBR Neutral.</p>\n<div class=\"wall\">\n");
   for (const StartMaterial& material : data.materials) append_material(out, material);
   out += "</div></section>\n";
@@ -82,11 +77,8 @@ void append_wall(std::string& out, const StartPageData& data) {
 void append_zone(std::string& out, const StartPageData& data) {
   append(
       out,
-      "<section id=\"zone\"><h2>Where materials are, and where none is</h2>\n<p>Every material of the "
-      "library "
-      "by the luminance of its F0. Between 0.20 and 0.45 lie semiconductors and a few compounds: a texture "
-      "with such values is most often a mistake, and the validator says so. A dot leads to its "
-      "material.</p>\n");
+      "<section id=\"zone\"><h2>Where materials are, and where none is</h2>\n<p>Every material of the library by the luminance of its F0. Between 0.20 and 0.45 lie semiconductors and a few compounds: a texture "
+      "with such values is most often a mistake, and the validator says so. A dot leads to its material.</p>\n");
   append_luminance_strip(out, page_groups(data.library), data.library_page);
   out += "</section>\n";
 }
@@ -96,13 +88,10 @@ void append_chart(std::string& out, const StartPageData& data) {
   if (chart.empty()) return;
   append(
       out,
-      "<section id=\"chart\"><h2>What exactness costs</h2>\n<p>Ways to compute F, by the time of one "
-      "evaluation and by the error over the spheres above: the dot is the mean over the materials, the line "
+      "<section id=\"chart\"><h2>What exactness costs</h2>\n<p>Ways to compute F, by the time of one evaluation and by the error over the spheres above: the dot is the mean over the materials, the line "
       "goes from the best material to the worst. Times: ",
       escape_html(data.costs), ".</p>\n<div class=\"beside\"><div class=\"panel wide\">", chart,
-      "</div><div class=\"panel wide\"><table class=\"data\"><thead><tr><th scope=\"col\">F by</th><th "
-      "scope=\"col\">ns</th><th scope=\"col\">mean ΔE</th><th scope=\"col\">best</th><th "
-      "scope=\"col\">worst</th></tr></thead><tbody>\n");
+      "</div><div class=\"panel wide\"><table class=\"data\"><thead><tr><th scope=\"col\">F by</th><th scope=\"col\">ns</th><th scope=\"col\">mean ΔE</th><th scope=\"col\">best</th><th scope=\"col\">worst</th></tr></thead><tbody>\n");
   for (const StartPoint& point : data.points)
     append(out, "<tr><th scope=\"row\">", escape_html(point.title), "</th><td class=\"num\">",
            number(point.ns, 3), "</td><td class=\"num\">", fixed(point.mean_de, 2), "</td><td class=\"num\">",
@@ -124,28 +113,24 @@ void append_atlas(std::string& out, const StartPageData& data) {
   if (data.after.empty()) return;
   append(
       out,
-      "<section id=\"atlas\"><h2>An atlas, before and after</h2>\n<p>The pictures of a small scene, and the "
-      "texture pairs that etak pack made of it, all at one scale. As two full-size textures for each "
-      "material "
-      "they were ",
+      "<section id=\"atlas\"><h2>An atlas, before and after</h2>\n<p>The pictures of a small scene, and the texture pairs that etak pack made of it, all at one scale. As two full-size textures for each material they were ",
       grouped(data.texels_before), " texels; the pages have ", grouped(data.texels_after), " (");
-  append(out,
-         fixed(100.0 * static_cast<double>(data.texels_after) /
-                   static_cast<double>(std::max<std::uint64_t>(data.texels_before, 1)),
-               0),
-         "\u00a0%), gutters and empty places counted: what is constant is a number, what is equal is stored "
-         "once, "
-         "what nothing reads is left out.</p>\n<div class=\"beside\">");
+  append(
+      out,
+      fixed(100.0 * static_cast<double>(data.texels_after) /
+                static_cast<double>(std::max<std::uint64_t>(data.texels_before, 1)),
+            0),
+      "\u00a0%), gutters and empty places counted: what is constant is a number, what is equal is stored once, what nothing reads is left out.</p>\n<div class=\"beside\">");
   append_textures(out, "Before", data.before);
   append_textures(out, "After", data.after);
   out += "</div></section>\n";
 }
 
 void append_start_findings(std::string& out, const StartPageData& data) {
-  append(out,
-         "<section id=\"findings\"><h2>What cannot be real</h2>\n<p>The validator over materials that were "
-         "made with a mistake each: ",
-         escape_html(data.verdict), "</p>\n<div class=\"found\">\n");
+  append(
+      out,
+      "<section id=\"findings\"><h2>What cannot be real</h2>\n<p>The validator over materials that were made with a mistake each: ",
+      escape_html(data.verdict), "</p>\n<div class=\"found\">\n");
   for (const StartFinding& each : data.findings) {
     const Finding& finding = each.finding;
     out += "<article>";

@@ -10,42 +10,36 @@ namespace etak::editor {
 const QStringList& screenshot_states() {
   static const QStringList states =
       QStringLiteral(
-          "default reflectance fresnel lobe shader textures light view compare "
-          "wedge quad zone energy angles gamut library preview findings pack keys problem empty "
-          "glass water rim overcast sunset night backdrop ground exposure")
+          "default reflectance fresnel lobe shader textures light view compare wedge quad zone energy angles gamut library preview findings pack keys problem empty glass water rim overcast sunset night backdrop ground exposure")
           .split(' ');
   return states;
 }
 
 QString help_text() {
-  return QObject::tr(
-             "usage: etak-editor [FILE]\n"
-             "       etak-editor --screenshot FILE [MATERIAL] [--model ID] [--size WxH] [--theme dark|light] "
-             "[--state NAME]\n"
-             "\n"
-             "The material editor: pick a measured material, see its F0 under the sources' light models, "
-             "author diffuse,\n"
-             "specular, gloss and alpha, be warned by the validator, export and pack.\n"
-             "\n"
-             "FILE is a project or a material (.json); a pipe that holds one, or - for standard input.\n"
-             "\n"
-             "  --screenshot FILE   write a PNG of the window and exit; needs no display with "
-             "QT_QPA_PLATFORM=offscreen\n"
-             "  --model ID          specular model of the screenshot's material (see etak models)\n"
-             "  --size WxH          of the window, default 1280x800; no less than its panels need\n"
-             "  --state NAME        what the screenshot shows, one of:\n"
-             "                      %1\n"
-             "  --theme NAME        dark or light, in place of the remembered one\n"
-             "  --cpu               draw without OpenGL\n"
-             "  --time-start        print how long the first picture took from the start of the process, and "
-             "exit\n"
-             "  --input-timeout SECONDS\n"
-             "                      how long a named pipe may be silent at first (default 60)\n"
-             "  --help, --version\n"
-             "\n"
-             "example:\n"
-             "  QT_QPA_PLATFORM=offscreen etak-editor --screenshot gold.png gold --model ggx-f82\n")
-      .arg(screenshot_states().join(", "));
+  return QObject::
+      tr("usage: etak-editor [FILE]\n"
+         "       etak-editor --screenshot FILE [MATERIAL] [--model ID] [--size WxH] [--theme dark|light] [--state NAME]\n"
+         "\n"
+         "The material editor: pick a measured material, see its F0 under the sources' light models, author diffuse,\n"
+         "specular, gloss and alpha, be warned by the validator, export and pack.\n"
+         "\n"
+         "FILE is a project or a material (.json); a pipe that holds one, or - for standard input.\n"
+         "\n"
+         "  --screenshot FILE   write a PNG of the window and exit; needs no display with QT_QPA_PLATFORM=offscreen\n"
+         "  --model ID          specular model of the screenshot's material (see etak models)\n"
+         "  --size WxH          of the window, default 1280x800; no less than its panels need\n"
+         "  --state NAME        what the screenshot shows, one of:\n"
+         "                      %1\n"
+         "  --theme NAME        dark or light, in place of the remembered one\n"
+         "  --cpu               draw without OpenGL\n"
+         "  --time-start        print how long the first picture took from the start of the process, and exit\n"
+         "  --input-timeout SECONDS\n"
+         "                      how long a named pipe may be silent at first (default 60)\n"
+         "  --help, --version\n"
+         "\n"
+         "example:\n"
+         "  QT_QPA_PLATFORM=offscreen etak-editor --screenshot gold.png gold --model ggx-f82\n")
+          .arg(screenshot_states().join(", "));
 }
 
 Options parse_options(const QStringList& arguments) {

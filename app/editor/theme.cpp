@@ -67,13 +67,8 @@ void apply_theme(QApplication& application, Theme theme) {
   const QString border = theme == Theme::dark ? "#707070" : "#a8a8a8";
   application.setStyleSheet(
       QStringLiteral(
-          "QToolTip { border: 1px solid palette(mid); padding: 3px; }"
-          "QToolButton[chip=\"true\"] { border: 1px solid %1; border-radius: 9px; padding: 1px 8px; }"
-          "QToolButton[chip=\"true\"]:checked { background: palette(highlight); color: "
-          "palette(highlighted-text); }"
-          "QToolButton[chip=\"true\"]:focus { border: 1px solid palette(link); }"
-          "QLabel[badge=\"true\"] { border-radius: 4px; padding: 1px 5px; background: #a8560f; color: white; "
-          "}"
+          "QToolTip { border: 1px solid palette(mid); padding: 3px; }QToolButton[chip=\"true\"] { border: 1px solid %1; border-radius: 9px; padding: 1px 8px; }QToolButton[chip=\"true\"]:checked { background: palette(highlight); color: "
+          "palette(highlighted-text); }QToolButton[chip=\"true\"]:focus { border: 1px solid palette(link); }QLabel[badge=\"true\"] { border-radius: 4px; padding: 1px 5px; background: #a8560f; color: white; }"
           "QLabel[quiet=\"true\"] { color: palette(placeholder-text); }")
           .arg(border));
 }

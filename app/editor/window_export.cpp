@@ -23,10 +23,11 @@ void refuse_textures(const ProjectMaterial& m) {
   for (const Channel each : all_channels)
     if (m.texture(each)) channels << qt_text(name(each));
   if (channels.isEmpty()) return;
-  throw Error(QObject::tr("%1 has textures (%2), which numbers to be copied cannot hold: export it as "
-                          "MaterialX or glTF, or pack the atlas")
-                  .arg(qt_text(m.name), channels.join(", "))
-                  .toStdString());
+  throw Error(
+      QObject::tr(
+          "%1 has textures (%2), which numbers to be copied cannot hold: export it as MaterialX or glTF, or pack the atlas")
+          .arg(qt_text(m.name), channels.join(", "))
+          .toStdString());
 }
 
 struct Written {

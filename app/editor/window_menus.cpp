@@ -49,8 +49,7 @@ void Window::make_menus() {
   action(help, tr("&About"), {}, [this] {
     QMessageBox::about(
         this, tr("About the editor"),
-        tr("etak editor %1: measured optics into materials a renderer can trust.\nApache-2.0. Drawn with "
-           "Qt (LGPL).")
+        tr("etak editor %1: measured optics into materials a renderer can trust.\nApache-2.0. Drawn with Qt (LGPL).")
             .arg(QStringLiteral(ETAK_VERSION)));
   });
 }

@@ -173,8 +173,7 @@ std::string repr_of(const F0Answer& answer) {
 
 // For notebooks: a swatch beside the text.
 std::string html_of(const F0Answer& answer) {
-  return "<div style=\"display:flex;gap:1em;align-items:flex-start\"><div style=\"width:4em;height:4em;"
-         "flex:none;border-radius:.3em;background:" +
+  return "<div style=\"display:flex;gap:1em;align-items:flex-start\"><div style=\"width:4em;height:4em;flex:none;border-radius:.3em;background:" +
          hex(answer.result().srgb8) + "\"></div><pre style=\"margin:0;white-space:pre-wrap\">" +
          escape_html(repr_of(answer)) + "<br>" + escape_html(flags_text(answer.result())) + "<br>" +
          escape_html(answer.row.source) + "</pre></div>";
@@ -292,8 +291,7 @@ void add_color(const auto& get) {
   get("f82_tint", "f82 divided by Schlick's form there; None for reflectance data.",
       color_of(&F0Result::f82_tint));
   get("zone",
-      "Luminance against the forbidden zone, 0.20 to 0.45: \"below\", \"inside\", \"above\"; None for "
-      "surfaces.",
+      "Luminance against the forbidden zone, 0.20 to 0.45: \"below\", \"inside\", \"above\"; None for surfaces.",
       &zone_of);
   get("gamut_excess", "How far rgb is above 1 (positive) or below 0 (negative).",
       [](const F0Answer& a) { return array_of(a.result().gamut_excess); });

@@ -220,9 +220,9 @@ void add_library_type(py::module_& module) {
            "The material of that id, name, alias or formula; raises Error with the nearest names.")
       .def(
           "keys", [](const Library& l) { return l.opened().ids(); }, "The ids, as iterating gives them.")
-      .def("search", &ids_with, py::arg("text"), py::arg("classes") = std::vector<std::string>(),
-           "Ids of the materials whose id, name, group or an alias holds the text, in any case; of these "
-           "classes only.")
+      .def(
+          "search", &ids_with, py::arg("text"), py::arg("classes") = std::vector<std::string>(),
+          "Ids of the materials whose id, name, group or an alias holds the text, in any case; of these classes only.")
       .def(
           "suggest",
           [](const Library& l, const std::string& name) {

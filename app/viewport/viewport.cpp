@@ -18,9 +18,8 @@ Viewport::Viewport(QWidget* parent, Backend backend) : QWidget(parent), d_(std::
   setMouseTracking(true);
   setAcceptDrops(true);
   setAccessibleName(tr("Viewport"));
-  setAccessibleDescription(
-      tr("Picture of the material. Drag to orbit, Shift and drag to move a light, Ctrl and drag to turn the "
-         "environment, F to frame, Space to see the other side."));
+  setAccessibleDescription(tr(
+      "Picture of the material. Drag to orbit, Shift and drag to move a light, Ctrl and drag to turn the environment, F to frame, Space to see the other side."));
   d_->overlay = new Overlay(this);
   d_->hover_timer.setSingleShot(true);
   d_->hover_timer.setInterval(30);

@@ -12,8 +12,7 @@ namespace {
 
 constexpr int manifest_depth = 8;
 constexpr const char* source_forms =
-    "a file name, the name of a library material, a number, [r, g, b], \"#rrggbb\", or an object with "
-    "\"image\" "
+    "a file name, the name of a library material, a number, [r, g, b], \"#rrggbb\", or an object with \"image\" "
     "or \"material\"";
 
 // A colour or a grey quantity: what its constants may be and how its channels are called.

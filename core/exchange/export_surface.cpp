@@ -118,11 +118,11 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
   if (std::string remark = class_remark(material); !remark.empty()) out.notes.push_back(std::move(remark));
   const std::string_view kind = optical_kind(material.material_class);
   if (material.class_by == ClassBy::nobody && result.luminance > most_assumed_f0)
-    throw Error::at(material.id + "/" + dataset.id,
-                    "F0 " + number(result.luminance, 3) +
-                        " is too bright for a dielectric, no class is stated, and n and k at 550 nm do not "
-                        "tell it",
-                    setting("material-class") + " metal, semiconductor, surface, ...");
+    throw Error::at(
+        material.id + "/" + dataset.id,
+        "F0 " + number(result.luminance, 3) +
+            " is too bright for a dielectric, no class is stated, and n and k at 550 nm do not tell it",
+        setting("material-class") + " metal, semiconductor, surface, ...");
   if (kind == "surface") {
     take_total(result.linear, out);
   } else {

@@ -43,8 +43,7 @@ constexpr LightRow rows[] = {
      "negative below the horizon, F too high by up to 0.98 on rough surfaces"},
     {"environment", "lat-long image", "Schueler 2009, possible extensions", Kind::environment, "file, scale",
      "", "",
-     "irradiance times the body's albedo; albedo of the model times round lobes that stand for its own: "
-     "errors in ambient_error"},
+     "irradiance times the body's albedo; albedo of the model times round lobes that stand for its own: errors in ambient_error"},
     {"plain", "no tone curve", "", Kind::tone, "", "", "",
      "18 % grey is code 118; what is above 1 is clipped", true},
     {"neutral", "Khronos PBR Neutral", "Khronos 2024, PBR Neutral Tone Mapper", Kind::tone, "", tone,

@@ -16,8 +16,7 @@ struct FlagRow {
 // In the order of the enumeration.
 constexpr std::array<FlagRow, flag_count> flag_rows{{
     {"extrapolated",
-     "the data do not cover 400-700 nm, or less than 0.99 of one of the X, Y, Z weights; end values are "
-     "held"},
+     "the data do not cover 400-700 nm, or less than 0.99 of one of the X, Y, Z weights; end values are held"},
     {"out-of-gamut", "a linear channel lies outside [0, 1]; it is kept in linear and clipped in 8 bit"},
     {"channel-in-zone", "one channel, but not the luminance, lies between 0.20 and 0.45"},
     {"gap", "neighbouring samples inside 400-700 nm are more than 20 nm apart"},
@@ -35,14 +34,11 @@ constexpr std::array<FlagRow, flag_count> flag_rows{{
     {"outside-absorption-ignored", "the small absorption of the outside medium was taken as 0"},
     {"reflectance-clamped", "tabulated reflectance up to 0.02 outside [0, 1] was taken as 0 or 1"},
     {"finer-than-grid",
-     "the samples are closer than the step of the sum, which may miss what they hold: in place of the 1 nm "
-     "sum they "
-     "were integrated exactly; for the wider sums the automatic method finds a step"},
+     "the samples are closer than the step of the sum, which may miss what they hold: in place of the 1 nm sum they were integrated exactly; for the wider sums the automatic method finds a step"},
     {"computed", "the numbers come from theory alone; nothing was measured"},
     {"sparse", "the table has fewer than 10 samples in 400-700 nm"},
     {"doubtful",
-     "its file names the numbers doubtful and says why, or the luminance of F0 is more than 0.1 off the "
-     "median of at least two other datasets"},
+     "its file names the numbers doubtful and says why, or the luminance of F0 is more than 0.1 off the median of at least two other datasets"},
 }};
 
 constexpr std::array<std::string_view, 4> origin_names{"measured", "fit", "computed", "unknown"};

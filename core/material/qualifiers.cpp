@@ -20,8 +20,7 @@ constexpr std::string_view below = "it is what is seen, not what lies below";
 
 constexpr std::array qualifiers{
     Qualifier{
-        "brushed polished burnished buffed satin matte matt glossy shiny smooth rough sanded sandblasted "
-        "blasted hammered honed etched frosted scratched machined",
+        "brushed polished burnished buffed satin matte matt glossy shiny smooth rough sanded sandblasted blasted hammered honed etched frosted scratched machined",
         "a roughness, not an F0",
         "a roughness, with which a body also looks lighter or darker; the measured colour has its own"},
     Qualifier{"wet damp", "a film of water, which is not in the answer",
@@ -47,14 +46,11 @@ constexpr std::array qualifiers{
     Qualifier{"frozen", "", "ice in and on it, which is not in the answer"},
     Qualifier{"dried cooked boiled", "", "of another colour than what was measured", "food plant"},
     Qualifier{
-        "red green blue yellow orange purple violet pink brown black white grey gray dark light pale bright "
-        "coloured colored tinted",
+        "red green blue yellow orange purple violet pink brown black white grey gray dark light pale bright coloured colored tinted",
         "a colour of the body, not an F0", "", "dielectric"},
     Qualifier{
-        "pipe tube rod bar beam wire sheet plate panel slab block ingot coin ring foil bowl cup pot pan vase "
-        "table desk chair bench door wall floor flooring tile plank mat fabric cloth textile yarn thread "
-        "bottle jar pane knife fork spoon key nail screw bolt chain box board sink handle rope sack blanket "
-        "shirt sweater jacket trousers sock socks hat glove gloves shoe shoes boot boots",
+        "pipe tube rod bar beam wire sheet plate panel slab block ingot coin ring foil bowl cup pot pan vase table desk chair bench door wall floor flooring tile plank mat fabric cloth textile yarn thread "
+        "bottle jar pane knife fork spoon key nail screw bolt chain box board sink handle rope sack blanket shirt sweater jacket trousers sock socks hat glove gloves shoe shoes boot boots",
         a_thing, a_thing, solid_families},
     Qualifier{"roof gutter flashing cladding facade statue road fence gate bridge", outdoors, outdoors,
               solid_families},

@@ -29,8 +29,8 @@ inline real exp(real x) {
   const real whole = shifted - to_whole;
   const real r = in - whole * 0x1.62e42fefa3800p-1 - whole * 0x1.ef35793c76730p-45;
   real sum = 1.0 / 6227020800;
-  for (const real share : {1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040,
-                           1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0})
+  for (const real share : {1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320,
+                           1.0 / 5040, 1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0})
     sum = sum * r + share;
   return sum * __builtin_bit_cast(double, (whole_bits(shifted) + 1023) << 52);
 }
@@ -39,7 +39,8 @@ inline real exp(real x) {
 inline real turned_sine(real x, long long quarters_ahead) {
   const real shifted = x * 0.63661977236758134308 + to_whole;
   const real whole = shifted - to_whole;
-  const real r = x - whole * 0x1.921fb54400000p0 - whole * 0x1.0b4611a600000p-34 - whole * 0x1.3198a2e037073p-69;
+  const real r =
+      x - whole * 0x1.921fb54400000p0 - whole * 0x1.0b4611a600000p-34 - whole * 0x1.3198a2e037073p-69;
   const real r2 = r * r;
   real odd = -1.0 / 1307674368000;
   for (const real share : {1.0 / 6227020800, -1.0 / 39916800, 1.0 / 362880, -1.0 / 5040, 1.0 / 120, -1.0 / 6})

@@ -48,9 +48,9 @@ void append_pages(std::string& out, const AtlasPageData& data) {
       append_figure(out, data.pictures[p].specular, "Texture B: F0, the reflectance at normal incidence");
       append_figure(out, data.pictures[p].gloss, "Texture B: gloss, its fourth channel");
     }
-    append(out, "<figure>", layout_svg(data.layout, static_cast<int>(p)),
-           "<figcaption>Layout: regions with their gutters (darker); point at one for its size"
-           "</figcaption></figure>\n</div></section>\n");
+    append(
+        out, "<figure>", layout_svg(data.layout, static_cast<int>(p)),
+        "<figcaption>Layout: regions with their gutters (darker); point at one for its size</figcaption></figure>\n</div></section>\n");
   }
 }
 
@@ -58,9 +58,7 @@ void append_sources(std::string& out, const AtlasLayout& layout) {
   const std::vector<SourceMap> maps = source_maps(layout);
   if (maps.empty()) return;
   out +=
-      "<section id=\"sources\"><h2>Where the regions come from</h2>\n<p>Each picture with the parts of it "
-      "that "
-      "are on a page; point at one for both of its places. What is dark was left out.</p>\n"
+      "<section id=\"sources\"><h2>Where the regions come from</h2>\n<p>Each picture with the parts of it that are on a page; point at one for both of its places. What is dark was left out.</p>\n"
       "<div class=\"sheets\">\n";
   for (const SourceMap& map : maps)
     append(out, "<figure>", map.svg, "<figcaption>", escape_html(map.materials), "</figcaption></figure>\n");
@@ -74,8 +72,7 @@ void append_left_out(std::string& out, const AtlasPageData& data) {
          percent(data.after.texels, data.before.texels), "</b> as RGBA texels.</p>\n");
   if (!data.left_out.empty()) {
     out +=
-        "<div class=\"scroll\"><table class=\"data summary\"><thead><tr><th>what</th><th>texels</th>"
-        "<th>channels' texels</th><th>bytes</th><th>error, codes</th><th>of</th></tr></thead><tbody>\n";
+        "<div class=\"scroll\"><table class=\"data summary\"><thead><tr><th>what</th><th>texels</th><th>channels' texels</th><th>bytes</th><th>error, codes</th><th>of</th></tr></thead><tbody>\n";
     for (const LeaveOutLine& line : data.left_out)
       append(out, "<tr><td>", escape_html(line.what), "</td><td class=\"num\">", grouped(line.texels),
              "</td><td class=\"num\">", grouped(line.channel_texels), "</td><td class=\"num\">",
@@ -105,8 +102,7 @@ void append_findings(std::string& out, const AtlasPageData& data) {
   if (!rows.empty())
     append(
         out,
-        "<div class=\"scroll\"><table class=\"data summary\"><thead><tr><th></th><th>rule</th><th>where</th>"
-        "<th>what</th><th>fix</th></tr></thead><tbody>\n",
+        "<div class=\"scroll\"><table class=\"data summary\"><thead><tr><th></th><th>rule</th><th>where</th><th>what</th><th>fix</th></tr></thead><tbody>\n",
         rows, "</tbody></table></div>\n");
   out += "</section>\n";
 }
@@ -126,11 +122,10 @@ std::string constant_number(const AtlasMaterialRow& row, std::size_t channel) {
 }
 
 void append_materials(std::string& out, const AtlasLayout& layout) {
-  append(out, "<section><h2>Materials</h2>\n<p>Codes of 8 bits; gloss is ", name(layout.gloss),
-         ". A shader needs what its defines name and nothing else: <code>etak shader --layout layout.json "
-         "--material NAME</code>.</p>\n<div class=\"scroll\"><table class=\"data summary\"><thead><tr>"
-         "<th>material</th><th>diffuse</th><th>alpha</th><th>F0</th><th>gloss</th><th>texels</th>"
-         "<th>defines</th></tr></thead><tbody>\n");
+  append(
+      out, "<section><h2>Materials</h2>\n<p>Codes of 8 bits; gloss is ", name(layout.gloss),
+      ". A shader needs what its defines name and nothing else: <code>etak shader --layout layout.json --material NAME</code>.</p>\n<div class=\"scroll\"><table class=\"data summary\"><thead><tr>"
+      "<th>material</th><th>diffuse</th><th>alpha</th><th>F0</th><th>gloss</th><th>texels</th><th>defines</th></tr></thead><tbody>\n");
   for (const AtlasMaterialRow& row : layout.materials) {
     append(out, "<tr><th>", escape_html(row.name), "</th><td>", constant_text(row, 0), "</td><td>",
            constant_number(row, alpha_channel), "</td><td>", constant_text(row, specular_channel),

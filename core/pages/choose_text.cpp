@@ -95,9 +95,7 @@ std::string choice_text(const std::vector<Choice>& choices, const CostTable& cos
   append(
       out, "\nsaved: ", saved(choices), "\nbudget ", number(choices[0].budget, 6), " ", name(choices[0].unit),
       " for F at every angle and for each of the ", std::to_string(pixels),
-      " pixels that were drawn both ways; everything: F at every nanometre (where F0 is all that is known, "
-      "exact for dielectrics, Schlick for metals), GGX, Smith masking by height, trilinear "
-      "textures, exact integration\n");
+      " pixels that were drawn both ways; everything: F at every nanometre (where F0 is all that is known, exact for dielectrics, Schlick for metals), GGX, Smith masking by height, trilinear textures, exact integration\n");
   if (textured) append(out, png_line(costs), "\n");
   append(out, "costs: ", line_text(costs.header), "\n");
   return out;

@@ -206,20 +206,15 @@ void append_overview(std::string& out, std::span<const ErrorTimeFamily> families
       open += count_of(table, Verdict::not_settled);
     }
   out +=
-      "<article id=\"overview\"><h2>What to pick</h2><div class=\"scroll\"><table class=\"data sorts "
-      "overview\"><caption>Errors and times of this run; each row leads to its figure, and to the command "
-      "that "
-      "takes it or chooses for one material within a budget of error.</caption><thead><tr><th>For</th>"
-      "<th>Take</th><th>Error</th><th>Cost</th><th>Verdict</th><th>Figure</th><th>Command</th></tr></thead>"
-      "<tbody>";
+      "<article id=\"overview\"><h2>What to pick</h2><div class=\"scroll\"><table class=\"data sorts overview\"><caption>Errors and times of this run; each row leads to its figure, and to the command that "
+      "takes it or chooses for one material within a budget of error.</caption><thead><tr><th>For</th><th>Take</th><th>Error</th><th>Cost</th><th>Verdict</th><th>Figure</th><th>Command</th></tr></thead><tbody>";
   for (const ErrorTimeFamily& family : families)
     for (const ErrorTimePick& pick : family.picks) append_pick(out, family, pick);
   append(
       out, "</tbody></table></div><p class=\"about\">", std::to_string(settled), " of ",
       std::to_string(settled + open), " timed ways have a settled verdict, ", std::to_string(open),
       open == 1 ? " has" : " have",
-      " not: more rounds would be needed to tell them from a way that is closer. A tenth of the time counts "
-      "as no difference. Settled covers what varied while this run was made, on this machine and with this "
+      " not: more rounds would be needed to tell them from a way that is closer. A tenth of the time counts as no difference. Settled covers what varied while this run was made, on this machine and with this "
       "build: between two builds, ratios of times have moved by 18 %.</p></article>");
 }
 
@@ -271,13 +266,9 @@ std::string error_time_page(const ReportHeader& header, std::span<const ErrorTim
   append(out,
          "<p class=\"lead\">Every shortcut etak knows, how far it is from the truth and what it saves.</p>");
   out +=
-      "<p class=\"key\"><span><i class=\"best\"></i>unbeaten: no way to the same truth is closer for at most "
-      "a "
-      "tenth more time (joined by a line)</span><span><i></i>beaten</span><span><i class=\"open\"></i>not "
-      "settled</span><span><i class=\"alone\"></i>alone: no other way to its truth</span></p><p "
-      "class=\"about\">Dots are medians with the number of their row, bars reach from quartile to quartile, "
-      "small dots are single materials, crosses those with doubtful data; both axes are logarithmic; further "
-      "left is faster, further down is closer.</p><nav><a href=\"#overview\">What to pick</a>";
+      "<p class=\"key\"><span><i class=\"best\"></i>unbeaten: no way to the same truth is closer for at most a tenth more time (joined by a line)</span><span><i></i>beaten</span><span><i class=\"open\"></i>not "
+      "settled</span><span><i class=\"alone\"></i>alone: no other way to its truth</span></p><p class=\"about\">Dots are medians with the number of their row, bars reach from quartile to quartile, "
+      "small dots are single materials, crosses those with doubtful data; both axes are logarithmic; further left is faster, further down is closer.</p><nav><a href=\"#overview\">What to pick</a>";
   for (const ErrorTimeFamily& family : families)
     append(out, "<a href=\"#", escape_html(family.id), "\">", escape_html(family.letter), " ",
            escape_html(family.title), "</a>");
@@ -288,9 +279,7 @@ std::string error_time_page(const ReportHeader& header, std::span<const ErrorTim
   if (!stability.empty())
     append(
         out,
-        "<article id=\"stability\"><h2>Stiff and extreme cases</h2><p class=\"advice\">Formulas as usually "
-        "written lose every digit, overflow or divide by zero in these places; relative errors in "
-        "brackets.</p>",
+        "<article id=\"stability\"><h2>Stiff and extreme cases</h2><p class=\"advice\">Formulas as usually written lose every digit, overflow or divide by zero in these places; relative errors in brackets.</p>",
         stability, "</article>");
   out += "<article><h2>Measured with</h2>";
   append_about(out, header);

@@ -216,9 +216,9 @@ std::string scatter(const ErrorTimeFamily& family, const ErrorTimeTable& table) 
 
   const ErrorMetric& metric = table.metrics[table.plotted];
   std::string out = "<title>" + escape_html(family.title + ": " + table.title) + "</title><desc>";
-  append(out,
-         "Run time across, error up; both logarithmic. Points to the same truth that nothing beats are "
-         "joined.</desc>");
+  append(
+      out,
+      "Run time across, error up; both logarithmic. Points to the same truth that nothing beats are joined.</desc>");
   append_grid(out, x, y);
   append(out, "<text class=\"label\" x=\"6\" y=\"14\">", escape_html(metric.title));
   append(out, metric.unit.empty() ? "" : ", ", escape_html(metric.unit),

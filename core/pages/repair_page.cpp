@@ -46,8 +46,7 @@ void append_image(std::string& out, std::string_view alt, const std::string& png
 void append_left(std::string& out, const RepairReport& report) {
   if (report.left.empty()) return;
   out +=
-      "<section id=\"left\"><h2>Left</h2>\n<div class=\"scroll\"><table class=\"data\"><thead><tr><th "
-      "scope=\"col\">Rule</th><th scope=\"col\">File</th><th scope=\"col\">Why</th></tr></thead><tbody>\n";
+      "<section id=\"left\"><h2>Left</h2>\n<div class=\"scroll\"><table class=\"data\"><thead><tr><th scope=\"col\">Rule</th><th scope=\"col\">File</th><th scope=\"col\">Why</th></tr></thead><tbody>\n";
   for (const LeftFinding& left : report.left)
     append(out, "<tr><th scope=\"row\">", left.rule, ' ', escape_html(left.slug), "</th><td>",
            escape_html(left.file), "</td><td>", escape_html(left.why), "</td></tr>\n");
@@ -71,8 +70,7 @@ void RepairPage::add(const RepairedFile& file, const Image8& before, const Image
 std::string RepairPage::html(const RepairReport& report, const std::string& version) const {
   std::string out =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\"><title>etak validate: repaired "
-      "copies</title>\n<style>";
+      "content=\"width=device-width, initial-scale=1\"><title>etak validate: repaired copies</title>\n<style>";
   append(out, page_css, repair_css, "</style></head>\n<body>\n<header><h1>Repaired copies</h1>\n");
   const auto repaired = static_cast<std::size_t>(
       std::ranges::count_if(report.files, [](const RepairedFile& file) { return !file.steps.empty(); }));

@@ -96,8 +96,7 @@ void append_case_text(std::string& out, const StabilityCase& one) {
 void append_case_table(std::string& out, const std::vector<const StabilityCase*>& cases, bool gl) {
   append(
       out, "<div class=\"scroll\"><table class=\"data\"><caption>", std::to_string(cases.size()),
-      " cases; relative errors in brackets.</caption><thead><tr><th>Case</th><th>Expected</th><th>As usually "
-      "written, single</th><th>etak, single</th><th>etak, double</th>",
+      " cases; relative errors in brackets.</caption><thead><tr><th>Case</th><th>Expected</th><th>As usually written, single</th><th>etak, single</th><th>etak, double</th>",
       gl ? "<th>etak, GL</th>" : "", "<th>Outcome</th></tr></thead><tbody>");
   const auto cell = [](const std::optional<StabilityValue>& value) {
     return "<td class=\"num\">" +

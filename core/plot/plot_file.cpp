@@ -64,14 +64,14 @@ std::string svg_head(double width, double height, std::string_view title, std::s
                     number(height, 6) + "\" role=\"img\">\n<title>";
   append(out, escape_html(title), "</title>\n");
   if (!description.empty()) append(out, "<desc>", escape_html(description), "</desc>\n");
-  append(out, "<style>\ntext { fill: ", colors.ink_soft,
-         "; font: 12px \"DejaVu Sans\", \"Noto Sans\", sans-serif; }\n.label { fill: ", colors.ink,
-         "; }\n.grid { stroke: ", colors.line,
-         "; fill: none; stroke-width: 0.75; }\n.axis { stroke: ", colors.ink_soft,
-         "; fill: none; }\n.curve { fill: none; stroke-width: 1.4; stroke-linejoin: round; stroke-linecap: "
-         "round; }\n"
-         ".bold { stroke-width: 2.2; }\n.dots { stroke-width: 4; }\n.dashed { stroke-dasharray: 6 4; }\n"
-         ".dotted { stroke-dasharray: 1.5 3.5; }\n.dashdot { stroke-dasharray: 8 3 1.5 3; }\n");
+  append(
+      out, "<style>\ntext { fill: ", colors.ink_soft,
+      "; font: 12px \"DejaVu Sans\", \"Noto Sans\", sans-serif; }\n.label { fill: ", colors.ink,
+      "; }\n.grid { stroke: ", colors.line,
+      "; fill: none; stroke-width: 0.75; }\n.axis { stroke: ", colors.ink_soft,
+      "; fill: none; }\n.curve { fill: none; stroke-width: 1.4; stroke-linejoin: round; stroke-linecap: round; }\n"
+      ".bold { stroke-width: 2.2; }\n.dots { stroke-width: 4; }\n.dashed { stroke-dasharray: 6 4; }\n"
+      ".dotted { stroke-dasharray: 1.5 3.5; }\n.dashdot { stroke-dasharray: 8 3 1.5 3; }\n");
   for (std::size_t i = 0; i < 9; ++i)
     append(out, ".c", std::to_string(i + 1), " { stroke: ", colors.series[i], "; }\n");
   append(out, "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"", colors.background, "\"/>\n");

@@ -230,8 +230,7 @@ std::optional<std::string> sentence_of(const ConversionCost& cost) {
   if (cost.resized >= 1)
     parts.push_back(
         "its textures of " + cost.sizes +
-        " were filtered to one size, and at texel centres of the smaller one diffuse, F0 or gloss "
-        "differ by up to " +
+        " were filtered to one size, and at texel centres of the smaller one diffuse, F0 or gloss differ by up to " +
         codes(cost.resized));
   return "as diffuse and F0 it is not quite what it was: " + joined(parts, "; ");
 }

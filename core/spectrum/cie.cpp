@@ -220,8 +220,7 @@ std::string light_remark(Illuminant illuminant) {
     }
     if (std::abs(own[0] - white[0]) < 0.01 && std::abs(own[2] - white[2]) < 0.01 && apart > 0.04 * size)
       return "a metamer of " + std::string(name(each)) +
-             ": of its colour by another spectrum, so that what matches under one need not match under the "
-             "other";
+             ": of its colour by another spectrum, so that what matches under one need not match under the other";
   }
   return {};
 }

@@ -156,8 +156,7 @@ void read_roles(const Node& node, ValidateConfig& config) {
 // ---- [names]
 
 constexpr std::string_view name_roles =
-    "one of diffuse, specular, f0, base-color, metal-rough, metallic, roughness, gloss, normal, height, "
-    "occlusion, emissive, opacity, other, ignore";
+    "one of diffuse, specular, f0, base-color, metal-rough, metallic, roughness, gloss, normal, height, occlusion, emissive, opacity, other, ignore";
 
 std::string read_channels(const Node& node) {
   constexpr std::string_view expected =

@@ -97,14 +97,13 @@ void print_json(const std::string& file, const std::vector<Cell>& cells, double 
   if (out == nullptr) throw Error::at(file, "cannot be written");
   std::fprintf(out, "{\"seconds\": %.0f, \"cells\": [\n", seconds);
   for (const Cell& c : cells)
-    std::fprintf(out,
-                 "{\"material\": \"%s\", \"model\": \"%s\", \"gloss\": %g, \"environment\": \"%s\", "
-                 "\"isotropic\": %s, \"standard_error\": %.3f, "
-                 "\"moving\": {\"mean\": %.3f, \"p99\": %.3f, \"largest\": %.3f}, "
-                 "\"refined\": {\"mean\": %.3f, \"p99\": %.3f, \"largest\": %.3f}}%s\n",
-                 c.material.c_str(), c.model.c_str(), c.gloss, c.environment.c_str(),
-                 c.round ? "true" : "false", c.off[0].noise, c.off[0].mean, c.off[0].p99, c.off[0].largest,
-                 c.off[1].mean, c.off[1].p99, c.off[1].largest, &c == &cells.back() ? "" : ",");
+    std::fprintf(
+        out,
+        "{\"material\": \"%s\", \"model\": \"%s\", \"gloss\": %g, \"environment\": \"%s\", \"isotropic\": %s, \"standard_error\": %.3f, \"moving\": {\"mean\": %.3f, \"p99\": %.3f, \"largest\": %.3f}, "
+        "\"refined\": {\"mean\": %.3f, \"p99\": %.3f, \"largest\": %.3f}}%s\n",
+        c.material.c_str(), c.model.c_str(), c.gloss, c.environment.c_str(), c.round ? "true" : "false",
+        c.off[0].noise, c.off[0].mean, c.off[0].p99, c.off[0].largest, c.off[1].mean, c.off[1].p99,
+        c.off[1].largest, &c == &cells.back() ? "" : ",");
   std::fputs("]}\n", out);
   std::fclose(out);
 }

@@ -69,8 +69,7 @@ class EditorTimes : public QObject {
     std::sort(times.begin(), times.end());
     std::sort(work.begin(), work.end());
     qInfo(
-        "gloss of 4096 x 4096 texels: files read in %.0f ms; then %.1f ms least, %.1f median to the screen, "
-        "%.1f of processors",
+        "gloss of 4096 x 4096 texels: files read in %.0f ms; then %.1f ms least, %.1f median to the screen, %.1f of processors",
         first, times.front(), times[times.size() / 2], work[work.size() / 2]);
     // Files of this size are not read in that time. A hundred by the clock is wanted; on a busy machine the clock
     // runs on while the editor waits, so the work of all processors counts where it is less.

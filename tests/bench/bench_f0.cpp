@@ -56,8 +56,7 @@ Options parse(int argc, char** argv) {
   }
   if (argc % 2 == 0 || out.etak.empty() || (out.pages.empty() && out.database.empty()))
     throw std::runtime_error(
-        "usage: bench_f0 --etak PATH --pages DIR [--plain PATH] [--peer NAME=COMMAND]... "
-        "[--database DIR] [--rounds N]");
+        "usage: bench_f0 --etak PATH --pages DIR [--plain PATH] [--peer NAME=COMMAND]... [--database DIR] [--rounds N]");
   return out;
 }
 

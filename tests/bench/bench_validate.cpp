@@ -28,8 +28,7 @@ namespace {
 
 void print_scores(const Scores& scores) {
   std::printf(
-      "| rule | slug | injected | found | recall | untouched sets with a finding | with a hint "
-      "|\n|---|---|---|---|---|---|---|\n");
+      "| rule | slug | injected | found | recall | untouched sets with a finding | with a hint |\n|---|---|---|---|---|---|---|\n");
   for (const RuleScore& score : scores.rules) {
     std::printf("| %s | %s | ", score.rule.c_str(), std::string(find_rule(score.rule)->slug).c_str());
     if (score.injected == 0)
@@ -46,8 +45,7 @@ void print_scores(const Scores& scores) {
 
 void print_edges() {
   std::printf(
-      "\n| sigma | metal | blend | ETK101 without patch | with a hidden patch of 10 x 10 | px in the zone "
-      "|\n|---|---|---|---|---|---|\n");
+      "\n| sigma | metal | blend | ETK101 without patch | with a hidden patch of 10 x 10 | px in the zone |\n|---|---|---|---|---|---|\n");
   for (const double sigma : {0.0, 1.0, 2.0, 4.0, 8.0})
     for (const double metal : {0.55, 0.95})
       for (const Blend blend : {Blend::linear, Blend::encoded}) {
@@ -126,8 +124,7 @@ void print_speed(const char* diffuse, const char* specular) {
       best[2] = std::min(best[2], seconds([&] { check(target, door, all, threads); }));
     }
     std::printf(
-        "%u threads: decoding %.3f s, byte rules %.3f s (%.2fx), all rules %.3f s (%.2fx; %.2fx of byte "
-        "rules)\n",
+        "%u threads: decoding %.3f s, byte rules %.3f s (%.2fx), all rules %.3f s (%.2fx; %.2fx of byte rules)\n",
         threads, best[0], best[1], best[1] / best[0], best[2], best[2] / best[0], best[2] / best[1]);
   }
 }

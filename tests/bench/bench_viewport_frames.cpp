@@ -119,8 +119,7 @@ class ViewportFrames : public QObject {
           QVERIFY(still.median > 0);
           QVERIFY(moving.median > 0);
           qInfo(
-              "%-40s whole frames %5.1f ms least, %5.1f median, %5.1f of processors; while moving %5.1f, "
-              "%5.1f, %5.1f at %g of the size",
+              "%-40s whole frames %5.1f ms least, %5.1f median, %5.1f of processors; while moving %5.1f, %5.1f, %5.1f at %g of the size",
               qPrintable(name), still.least, still.median, still.work, moving.least, moving.median,
               moving.work, share);
         }

@@ -223,10 +223,8 @@ void fit(std::string_view distribution, std::string_view visibility, double f0) 
 int main() {
   std::printf(
       "# SPDX-License-Identifier: Apache-2.0\n"
-      "# Written by tests/bench/fit_area_lobes.cpp for core/light/area_lobes.h: a, b, d / alpha, e / alpha "
-      "and the share\n"
-      "# of the plain cosine. Lobes of Trowbridge and Reitz, Beckmann and Phong of F = 1, and of Trowbridge "
-      "and Reitz of F0 = 0.04;\n"
+      "# Written by tests/bench/fit_area_lobes.cpp for core/light/area_lobes.h: a, b, d / alpha, e / alpha and the share\n"
+      "# of the plain cosine. Lobes of Trowbridge and Reitz, Beckmann and Phong of F = 1, and of Trowbridge and Reitz of F0 = 0.04;\n"
       "# for each the widths, for each of them the cosines of the viewer.\n");
   etak::fit("ggx", "smith-ggx-height", 1);
   etak::fit("beckmann", "smith-beckmann-height", 1);

@@ -196,12 +196,9 @@ void fit(const char* name, const char* id, double share, std::size_t in_t, std::
 int main() {
   std::printf(
       "// SPDX-License-Identifier: Apache-2.0\n"
-      "// Written by tests/bench/fit_lost_light.cpp: the share of light that a rough surface of F = 1 loses, "
-      "because one\n"
-      "// reflection sends it to other facets, for Smith's height-correlated masking; and its mean over a "
-      "diffuse hemisphere.\n"
-      "// At most 0.0071 below the integral and never above it, so that no light is gained, for widths from "
-      "0.01 to 1.\n"
+      "// Written by tests/bench/fit_lost_light.cpp: the share of light that a rough surface of F = 1 loses, because one\n"
+      "// reflection sends it to other facets, for Smith's height-correlated masking; and its mean over a diffuse hemisphere.\n"
+      "// At most 0.0071 below the integral and never above it, so that no light is gained, for widths from 0.01 to 1.\n"
       "//   c       cosine of the direction and the normal, [0, 1]\n"
       "//   alpha   width, (0, 1]\n");
   etak::fit("ggx", "microfacet:ggx,schlick,smith-height", 0.5, 7, 4);

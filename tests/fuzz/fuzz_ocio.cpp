@@ -33,9 +33,7 @@ const std::string& config_file(const std::string& text) {
 // Throws where a good config is refused as well: all others would then be refused unread.
 bool good_config_opens() {
   const std::string& path = config_file(
-      "ocio_profile_version: 2\nroles: {aces_interchange: a, default: a}\ndisplays: {d: [!<View> {name: v, "
-      "colorspace: "
-      "a}]}\n"
+      "ocio_profile_version: 2\nroles: {aces_interchange: a, default: a}\ndisplays: {d: [!<View> {name: v, colorspace: a}]}\n"
       "colorspaces: [!<ColorSpace> {name: a}]\n");
   return OcioConfig::open(path).space("a").name() == "a" &&
          OcioConfig::open(path).display("d", "v").view() == "v";

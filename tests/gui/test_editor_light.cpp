@@ -211,11 +211,11 @@ class EditorLight : public QObject {
     TestWindow window(true);
     const QString file = window.file(QStringLiteral("Au/nk/Yakubovsky-25nm.yml"));
     QVERIFY(QDir().mkpath(QFileInfo(file).path()));
-    write(file,
-          "REFERENCES: |\n    D. I. Yakubovsky. Optics of films. Opt. Express 25, 1 (2017)\nDATA:\n"
-          "  - type: tabulated nk\n    data: |\n        0.3 1.5 1.9\n        0.5 0.9 1.9\n        0.55 0.4 "
-          "2.4\n"
-          "        0.7 0.2 4.1\n        0.9 0.2 5.9\n");
+    write(
+        file,
+        "REFERENCES: |\n    D. I. Yakubovsky. Optics of films. Opt. Express 25, 1 (2017)\nDATA:\n"
+        "  - type: tabulated nk\n    data: |\n        0.3 1.5 1.9\n        0.5 0.9 1.9\n        0.55 0.4 2.4\n"
+        "        0.7 0.2 4.1\n        0.9 0.2 5.9\n");
     QVERIFY(drop(*window.window, {file}));
     QVERIFY(QTest::qWaitFor([&] { return window->document().material() != nullptr; }, long_ms));
     const ProjectMaterial& material = *window->document().material();

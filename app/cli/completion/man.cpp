@@ -157,8 +157,7 @@ std::string manual_page(const std::vector<VerbRow>& table, std::string_view verb
   if (top) {
     append(
         out,
-        ".SH DESCRIPTION\netak turns measured n and k into what renderers take: F0 as a colour, materials "
-        "for ",
+        ".SH DESCRIPTION\netak turns measured n and k into what renderers take: F0 as a colour, materials for ",
         "other programs, textures on shared pages, and findings about what in textures cannot be real. Each ",
         "verb has a page of its own.\n.SH VERBS\n");
     for (const VerbRow& each : table)

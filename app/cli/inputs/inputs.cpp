@@ -9,10 +9,9 @@
 namespace etak::cli {
 
 void add_input_options(Command verb, InputNames& names) {
-  verb.option("INPUT", names.names,
-              "material (gold), dataset (gold/ID, its unique beginning, or gold/* for all), file "
-              "(.yml page, .json material, .csv .tsv .txt .dat table), folder, pipe, or - for "
-              "standard input")
+  verb.option(
+          "INPUT", names.names,
+          "material (gold), dataset (gold/ID, its unique beginning, or gold/* for all), file (.yml page, .json material, .csv .tsv .txt .dat table), folder, pipe, or - for standard input")
       .reads_file()
       .value_name("");
   verb.option("--stdin-format", names.pipe_format,

@@ -42,8 +42,7 @@ void add_class_option(Command verb, std::vector<std::string>& classes, const std
 void add_library_options(Command verb, Library& library) {
   verb.option(
           "--library", library.folders,
-          "folder of material files laid over the built-in library; may be given again. ETAK_LIBRARY holds "
-          "more, with ':' between")
+          "folder of material files laid over the built-in library; may be given again. ETAK_LIBRARY holds more, with ':' between")
       .value_name("DIR")
       .one_at_a_time()
       .in_shards(InShards::free)  // what its materials change in the settings of a run is in their hash
@@ -75,9 +74,9 @@ void add_solver_options(Command verb, F0Settings& settings) {
       .value_name("NUMBER");
   add("--outside", settings.outside, "medium in front: an index of refraction or a material such as water")
       .value_name("NUMBER|MATERIAL");
-  verb.flag("--axis-average", settings.axis_average,
-            "crystals as random grains: (2 ordinary + extraordinary) / 3, or a third of alpha, beta and "
-            "gamma each")
+  verb.flag(
+          "--axis-average", settings.axis_average,
+          "crystals as random grains: (2 ordinary + extraordinary) / 3, or a third of alpha, beta and gamma each")
       .group(group);
   verb.flag("--allow-extrapolation", settings.allow_extrapolation,
             "give results where the data hold less than 0.95 of the luminous weight")
@@ -86,9 +85,9 @@ void add_solver_options(Command verb, F0Settings& settings) {
 
 void add_compute_options(Command verb, F0Settings& settings) {
   add_solver_options(verb, settings);
-  verb.option("--space", settings.space,
-              "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any "
-              "case, or a colour space of an OpenColorIO config")
+  verb.option(
+          "--space", settings.space,
+          "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any case, or a colour space of an OpenColorIO config")
       .value_name("SPACE")
       .group("Computation");
   verb.option("--ocio", settings.ocio,

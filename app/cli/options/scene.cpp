@@ -209,9 +209,9 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
 }
 
 void add_subject_options(Command verb, SceneArguments& arguments) {
-  verb.option("SUBJECT", arguments.subject,
-              "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or "
-              "f0=1,0.78,0.34, f82=, n=, k=, diffuse=, gloss=, roughness=, opacity=")
+  verb.option(
+          "SUBJECT", arguments.subject,
+          "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or f0=1,0.78,0.34, f82=, n=, k=, diffuse=, gloss=, roughness=, opacity=")
       .reads_file()
       .value_name("");
   verb.option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
@@ -242,26 +242,25 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.option("--occlusion", arguments.occlusion,
               "share of the light of hemispheres and environment that reaches the surface, 0 to 1")
       .show_default();
-  verb.option("--emission-texture", arguments.emission_texture,
-              "picture of the emission, which multiplies --emission; codes are sRGB where the file does not "
-              "say linear, and floats are linear")
+  verb.option(
+          "--emission-texture", arguments.emission_texture,
+          "picture of the emission, which multiplies --emission; codes are sRGB where the file does not say linear, and floats are linear")
       .reads_file()
       .value_name("FILE");
   verb.option("--occlusion-texture", arguments.occlusion_texture,
               "picture whose red or grey channel multiplies --occlusion, linear")
       .reads_file()
       .value_name("FILE");
-  verb.option("--lights", arguments.lights,
-              "number of directional lights, a light setup, or sources: three lights and two hemispheres; "
-              "default " +
-                  std::string(arguments.standard_lights == default_lights ? "sources"
-                                                                          : "the studio and two flashes"))
+  verb.option(
+          "--lights", arguments.lights,
+          "number of directional lights, a light setup, or sources: three lights and two hemispheres; default " +
+              std::string(arguments.standard_lights == default_lights ? "sources"
+                                                                      : "the studio and two flashes"))
       .reads_file()
       .value_name("N|FILE|sources");
   verb.option(
           "--env", arguments.environment,
-          "environment: lat-long HDR or EXR picture, or etak's own: studio, rim, overcast, sunset or night; "
-          "without --lights the only light")
+          "environment: lat-long HDR or EXR picture, or etak's own: studio, rim, overcast, sunset or night; without --lights the only light")
       .reads_file()
       .value_name("FILE|NAME");
   add_color_option(verb, "--ground", arguments.ground,

@@ -55,9 +55,9 @@ Shard shard_of_slurm() {
 }  // namespace
 
 void add_shard_option(Command verb, std::string& text) {
-  verb.option("--shard", text,
-              "only the part I of N of the work, which etak merge joins; slurm: the part of this task of a "
-              "Slurm array")
+  verb.option(
+          "--shard", text,
+          "only the part I of N of the work, which etak merge joins; slurm: the part of this task of a Slurm array")
       .value_name("I/N|slurm")
       .in_shards(InShards::one_file);
 }

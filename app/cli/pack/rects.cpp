@@ -59,9 +59,9 @@ std::optional<RectOptions> options_of(const std::string& mode, int pad) {
 
 void add_pack_rects_options(Command verb, PackRectsArguments& a) {
   const std::string group = "Bare rectangles";
-  verb.flag("--rects", a.asked,
-            "pack the rectangles of --in (lines 'w h') and write 'page x y w h rot' lines to -o; --rotate "
-            "then takes 0 or 1")
+  verb.flag(
+          "--rects", a.asked,
+          "pack the rectangles of --in (lines 'w h') and write 'page x y w h rot' lines to -o; --rotate then takes 0 or 1")
       .group(group);
   verb.option("--in", a.in, "file of rectangles").reads_file().value_name("FILE").group(group);
   verb.option("--mode", a.mode, "page: square, pot, free, strip:W, pages:S or mixed:S")

@@ -107,9 +107,9 @@ void choose_for_library(ChooseArguments& arguments, const ChooseOptions& options
   if (!refused.empty())
     out.remarks.push_back(std::to_string(refused.size()) + " more left out; " + joined(refused, "; "));
   if (!standards.empty())
-    out.remarks.push_back(std::to_string(standards.size()) +
-                          " spheres have the default roughness of their class, a convention and no "
-                          "measurement; --gloss or --roughness gives one to all");
+    out.remarks.push_back(
+        std::to_string(standards.size()) +
+        " spheres have the default roughness of their class, a convention and no measurement; --gloss or --roughness gives one to all");
 }
 
 int choose_within_memory(ChooseArguments& arguments) {

@@ -77,9 +77,10 @@ std::string task_line(const RunPlan& plan, const PlanTask& task, std::string_vie
     out += ' ' + (task.words[i] == task.writes ? "\"$new\"" : shell_word(task.words[i]));
     if (i == 1 && !plan.threads && !threads.empty()) append(out, " ", threads);
   }
-  return out + (plan.merge.words.empty() ? "; s=$?; if [ $s -le 1 ]; then mv -f \"$new\" \"$part\"; else rm "
-                                           "-f \"$new\"; (exit $s); fi; }"
-                                         : "; test -e \"$new\" && mv -f \"$new\" \"$part\"; }");
+  return out +
+         (plan.merge.words.empty()
+              ? "; s=$?; if [ $s -le 1 ]; then mv -f \"$new\" \"$part\"; else rm -f \"$new\"; (exit $s); fi; }"
+              : "; test -e \"$new\" && mv -f \"$new\" \"$part\"; }");
 }
 
 // Throws Error for a name that an engine has no way to write.

@@ -66,9 +66,9 @@ void tell_nothing_checked(const ValidationReport& report) {
            " no role (--list-files shows which)";
   if (report.run.skipped > unknown)
     out += ", " + grouped(report.run.skipped - unknown) + " that no rule is about";
-  complain(out +
-           "; expected texture pairs, metal-rough sets, F0 pictures, atlas layouts, glTF scenes, material "
-           "files or spectra, or --allow-empty");
+  complain(
+      out +
+      "; expected texture pairs, metal-rough sets, F0 pictures, atlas layouts, glTF scenes, material files or spectra, or --allow-empty");
 }
 
 // Names what could not be checked where the report goes to a file or is the verdict alone: a run that ends

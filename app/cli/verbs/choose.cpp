@@ -12,9 +12,9 @@ namespace etak::cli {
 void add_choose(CommandLine& line) {
   Command verb = line.verb("choose", "the cheapest way to draw a material within a budget of error");
   auto arguments = std::make_shared<ChooseArguments>();
-  verb.option("what", arguments->materials,
-              "a scene (glTF, pack manifest or folder of pictures), or materials of the "
-              "library: ID or ID/DATASET")
+  verb.option(
+          "what", arguments->materials,
+          "a scene (glTF, pack manifest or folder of pictures), or materials of the library: ID or ID/DATASET")
       .reads_file()
       .value_name("SCENE|MATERIAL");
   verb.flag("--all", arguments->all, "every material of the library that has n and k");

@@ -55,10 +55,9 @@ int run(CurveArguments& arguments) {
 void add_curve(CommandLine& line) {
   const auto arguments = std::make_shared<CurveArguments>();
   Command verb = line.verb("curve", "reflectance, terms and lobes as curves, several in one plot");
-  verb.option("--of", arguments->request.of,
-              "F over the angle of incidence; D over that of the half vector; G or V = G / (4 nl nv), and "
-              "lobe, f_r "
-              "nl, over that of the viewer; R over wavelength")
+  verb.option(
+          "--of", arguments->request.of,
+          "F over the angle of incidence; D over that of the half vector; G or V = G / (4 nl nv), and lobe, f_r nl, over that of the viewer; R over wavelength")
       .one_of({curve_kinds.begin(), curve_kinds.end()})
       .show_default();
   verb.option("--model", arguments->request.models,
@@ -66,10 +65,9 @@ void add_curve(CommandLine& line) {
                   std::string(default_specular))
       .value_name("MODEL")
       .one_at_a_time();
-  verb.option("--term", arguments->request.terms,
-              "a term that etak models lists, or spectrum: F of every wavelength, the default of materials; "
-              "may be "
-              "given again")
+  verb.option(
+          "--term", arguments->request.terms,
+          "a term that etak models lists, or spectrum: F of every wavelength, the default of materials; may be given again")
       .value_name("TERM")
       .one_at_a_time();
   verb.option("--light", arguments->request.light_deg,

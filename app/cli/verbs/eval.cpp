@@ -67,10 +67,9 @@ void add_eval(CommandLine& line) {
   Command verb = line.verb("eval", "evaluate one formula, or a table of them, in double precision");
   verb.option("FUNCTION", arguments->function, "name of the function, as --list gives it").value_name("");
   verb.option("INPUTS", arguments->inputs, "its inputs, as name=value").value_name("NAME=VALUE");
-  verb.option("--csv", arguments->csv,
-              "answer the rows id,function,inputs of FILE (inputs as name=value;name=value) "
-              "with id,value; a row that is refused gets \"error\" and its reason on standard "
-              "error")
+  verb.option(
+          "--csv", arguments->csv,
+          "answer the rows id,function,inputs of FILE (inputs as name=value;name=value) with id,value; a row that is refused gets \"error\" and its reason on standard error")
       .reads_file()
       .value_name("FILE");
   verb.flag("--list", arguments->list, "print every function with its inputs, units, ranges and source");

@@ -240,9 +240,9 @@ void add_export(CommandLine& line) {
   const auto arguments = std::make_shared<ExportArguments>();
   Command verb = line.verb("export", "materials as MaterialX, glTF or the values of an engine");
   add_input_options(verb, arguments->inputs);
-  verb.option("--to", arguments->wanted,
-              "mtlx (MaterialX 1.39, OpenPBR), gltf (spheres with the material), values (what to type or "
-              "paste), or the values of targets, with ',' between")
+  verb.option(
+          "--to", arguments->wanted,
+          "mtlx (MaterialX 1.39, OpenPBR), gltf (spheres with the material), values (what to type or paste), or the values of targets, with ',' between")
       .required()
       .separated_by(',')
       .one_at_a_time()
@@ -257,20 +257,19 @@ void add_export(CommandLine& line) {
   verb.option("--opacity", arguments->opacity, "0 to 1").show_default();
   add_color_option(verb, "--emission", arguments->emission,
                    "radiance that the surface sends out by itself, linear; default black");
-  verb.option("--fit", arguments->fit,
-              "what becomes of a colour above 1 or below 0: clamp (each channel) or preserve-hue (the "
-              "whole colour)")
+  verb.option(
+          "--fit", arguments->fit,
+          "what becomes of a colour above 1 or below 0: clamp (each channel) or preserve-hue (the whole colour)")
       .one_of({"clamp", "preserve-hue"})
       .show_default();
   verb.option(
           "--target", arguments->targets,
-          "of --to values: only these, with ',' between (hex, srgb8, linear, glsl, unreal, unity-metallic, "
-          "unity-specular, blender, filament, openpbr, gltf, gltf-specular-glossiness, gulbrandsen, rgb-nk)")
+          "of --to values: only these, with ',' between (hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, gltf, gltf-specular-glossiness, gulbrandsen, rgb-nk)")
       .separated_by(',')
       .value_name("TARGET,...");
-  verb.option("--gltf-form", arguments->gltf_form,
-              "as in pack: specular-ior (metal-rough, and dielectrics with KHR_materials_ior and _specular; "
-              "metal-rough is its older name here) or specular-glossiness")
+  verb.option(
+          "--gltf-form", arguments->gltf_form,
+          "as in pack: specular-ior (metal-rough, and dielectrics with KHR_materials_ior and _specular; metal-rough is its older name here) or specular-glossiness")
       .one_of({"specular-ior", "specular-glossiness", "metal-rough"})
       .show_default();
   add_compute_options(verb, arguments->compute);

@@ -72,10 +72,9 @@ int import_inputs(ImportArguments& arguments) {
   const auto unknown = std::count_if(material.datasets.begin(), material.datasets.end(),
                                      [](const Dataset& d) { return d.origin == Origin::unknown; });
   if (unknown > 0)
-    remark(arguments.output, material.id + ": " +
-                                 (unknown > 1 ? std::to_string(unknown) + " inputs do" : "the input does") +
-                                 " not say whether the numbers were measured: origin unknown; --origin "
-                                 "states it");
+    remark(arguments.output,
+           material.id + ": " + (unknown > 1 ? std::to_string(unknown) + " inputs do" : "the input does") +
+               " not say whether the numbers were measured: origin unknown; --origin states it");
   return exit_ok;
 }
 
@@ -98,8 +97,7 @@ void add_import(CommandLine& line) {
   add_output_options(verb, arguments->output, {"json"});
   add_thread_option(verb, arguments->threads);
   verb.footer(
-      "Several inputs become datasets of one material; the first is preferred. Citation, sample and class "
-      "are\n"
+      "Several inputs become datasets of one material; the first is preferred. Citation, sample and class are\n"
       "taken from a page as far as it tells them: read them over before the file joins a library.\n"
       "Example:\n  printf 'nm n k\\n400 1.5 3\\n700 1.6 4\\n' | etak import - --id sample --class metal");
   verb.runs([arguments] { return run(*arguments); });

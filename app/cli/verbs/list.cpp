@@ -92,8 +92,7 @@ void add_list(CommandLine& line) {
   add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "markdown"});
   add_thread_option(verb, arguments->threads);
   verb.footer(
-      "Names alone tell what each is answered with (etak list steel milk); the exit status is then 1 when "
-      "one\n"
+      "Names alone tell what each is answered with (etak list steel milk); the exit status is then 1 when one\n"
       "of them is answered by no material.\n"
       "Example:\n  etak list --class metal --zone above");
   verb.runs([arguments] { return run(*arguments); });

@@ -51,8 +51,7 @@ void add_merge(CommandLine& line) {
       .value_name("FILE");
   add_thread_option(verb, a.threads);
   verb.footer(
-      "Every form is equal, byte by byte, to that of the run without --shard, but for the pictures of HTML, "
-      "and so is the exit status.\n"
+      "Every form is equal, byte by byte, to that of the run without --shard, but for the pictures of HTML, and so is the exit status.\n"
       "Exit status: that of the whole run; 2 where a shard is missing, damaged or of another run.\n"
       "Example:\n  etak merge part-1.json part-2.json --format sarif -o findings.sarif");
   verb.runs([arguments] { return merge_shards(*arguments); });

@@ -34,8 +34,7 @@ struct NearestArguments {
 };
 
 constexpr const char* color_forms =
-    "a hex colour (#ffe29b), 8-bit codes (255,226,155), linear values with --linear (1.0,0.76,0.33), or a "
-    "material or file (gold)";
+    "a hex colour (#ffe29b), 8-bit codes (255,226,155), linear values with --linear (1.0,0.76,0.33), or a material or file (gold)";
 
 // The three numbers of "r,g,b". Throws Error where there are more or fewer.
 std::array<double, 3> three_numbers(const std::string& text) {
@@ -125,8 +124,7 @@ void add_nearest(CommandLine& line) {
   verb.option("-n,--count", arguments->count, "how many to show").range(1, 10000).show_default();
   add_class_option(
       verb, arguments->classes,
-      "only this class; may be repeated. Without it every class but surface, whose diffuse colours "
-      "are no F0");
+      "only this class; may be repeated. Without it every class but surface, whose diffuse colours are no F0");
   add_compute_options(verb, arguments->compute);
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"table", "csv", "json"});

@@ -108,9 +108,9 @@ void add_output_group(Command verb, PackArguments& a) {
 
 void add_finding_options(Command verb, PackArguments& a) {
   const std::string group = "Findings";
-  verb.option("--fail-on", a.check.fail_on,
-              "least severity of the validator's findings that makes the exit status 1: error (default, or "
-              "what etak.toml says), warning, info or never; the atlas is written all the same")
+  verb.option(
+          "--fail-on", a.check.fail_on,
+          "least severity of the validator's findings that makes the exit status 1: error (default, or what etak.toml says), warning, info or never; the atlas is written all the same")
       .one_of({"error", "warning", "info", "never"})
       .group(group);
   verb.flag("--no-validate", a.no_validate, "do not check the pages").group(group);
@@ -165,8 +165,7 @@ void declare_pack(CommandLine& line, const std::shared_ptr<PackArguments>& argum
   add_library_options(verb, arguments->library);
   add_pack_rects_options(verb, arguments->rects);
   verb.footer(
-      "Texture A holds diffuse and alpha, texture B F0 and gloss, colours sRGB-encoded. All files appear "
-      "together or not at all. Last come the findings of etak validate for what was written.\n"
+      "Texture A holds diffuse and alpha, texture B F0 and gloss, colours sRGB-encoded. All files appear together or not at all. Last come the findings of etak validate for what was written.\n"
       "Exit status: 0, or 1 when there are findings at or above --fail-on, 2 when something failed.\n"
       "Example:\n  etak pack materials.json -o atlas --page 4096");
   verb.runs([arguments, verb] {

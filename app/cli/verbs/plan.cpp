@@ -233,8 +233,7 @@ void add_plan(CommandLine& line) {
   verb.flag("--force", a.force, "replace an earlier plan; ETAK_FORCE=1 says the same");
   verb.flag("-q,--quiet", a.quiet, "no remarks; errors still appear");
   verb.footer(
-      "The result of validate has the form of --format or -o of the run, else JSON, and lies where -o of the "
-      "run says, else in DIR. No task is started.\n"
+      "The result of validate has the form of --format or -o of the run, else JSON, and lies where -o of the run says, else in DIR. No task is started.\n"
       "Exit status: 0 the plan is written, 2 bad input, option or output.\n"
       "Example:\n  etak plan --tasks 4 --format slurm -o plan -- validate textures --format sarif");
   verb.runs([arguments] { return plan_run(*arguments); });

@@ -26,16 +26,14 @@ void add_render(CommandLine& line) {
               "picture of F0 and, in its fourth channel, of the gloss, as etak pack writes it")
       .reads_file()
       .value_name("FILE");
-  verb.option("--mesh", arguments->mesh,
-              "a glTF scene of triangles with normals in place of the sphere, moved and scaled to its size; "
-              "its own "
-              "materials are not looked at, and it casts no shadow")
+  verb.option(
+          "--mesh", arguments->mesh,
+          "a glTF scene of triangles with normals in place of the sphere, moved and scaled to its size; its own materials are not looked at, and it casts no shadow")
       .reads_file()
       .value_name("FILE");
-  verb.option("--sweep", arguments->sweep,
-              "a row of objects, one for each value of gloss, roughness, material, model, diffuse-model, "
-              "orbit, tilt or "
-              "a parameter of --set: NAME=FIRST:LAST:COUNT, or NAME=VALUE,VALUE,...")
+  verb.option(
+          "--sweep", arguments->sweep,
+          "a row of objects, one for each value of gloss, roughness, material, model, diffuse-model, orbit, tilt or a parameter of --set: NAME=FIRST:LAST:COUNT, or NAME=VALUE,VALUE,...")
       .value_name("NAME=VALUES");
   verb.flag("--half", arguments->half, "16-bit values in .exr instead of 32-bit ones");
   verb.option("--device", arguments->device, "cpu, gl, or auto (cpu)")
@@ -43,8 +41,7 @@ void add_render(CommandLine& line) {
       .show_default();
   verb.option(
           "--ambient", arguments->ambient,
-          "hemispheres and environment: refined (the models themselves, by samples) or moving (the terms of "
-          "a picture that moves)")
+          "hemispheres and environment: refined (the models themselves, by samples) or moving (the terms of a picture that moves)")
       .one_of({"refined", "moving"})
       .show_default();
   verb.flag(
@@ -60,8 +57,7 @@ void add_render(CommandLine& line) {
   verb.flag("--sheet", arguments->sheet, "contact sheet: eight materials under every model (no SUBJECT)");
   verb.option(
           "--part", arguments->part,
-          "of --sheet: models whose lobe no other has (own), those of GGX, those of other lobes, or diffuse "
-          "models and light")
+          "of --sheet: models whose lobe no other has (own), those of GGX, those of other lobes, or diffuse models and light")
       .one_of({"all", "own", "ggx", "lobes", "light"})
       .show_default();
   verb.option("--display", arguments->display,

@@ -31,8 +31,7 @@ void add_report(CommandLine& line) {
   add_progress_option(verb, arguments->progress);
   add_thread_option(verb, arguments->threads);
   verb.footer(
-      "Errors are the same in every run; times are of this machine, median and quartiles of interleaved "
-      "repeats.\n"
+      "Errors are the same in every run; times are of this machine, median and quartiles of interleaved repeats.\n"
       "Example:\n  etak report --family transfer -o report");
   verb.runs([arguments] { return pictures("etak report").measure(*arguments); });
 }

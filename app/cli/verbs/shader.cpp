@@ -173,10 +173,9 @@ void add_shader(CommandLine& line) {
   const auto arguments = std::make_shared<ShaderArguments>();
   Command verb = line.verb("shader", "the shader that draws a material: what it needs and nothing else");
   add_scene_options(verb, arguments->scene);
-  verb.option("--hemispheres", arguments->hemispheres,
-              "light of two hemispheres; FORM: auto (Schüler's corrected one for his models, else that of "
-              "the model), "
-              "model, corrected, wide or printed")
+  verb.option(
+          "--hemispheres", arguments->hemispheres,
+          "light of two hemispheres; FORM: auto (Schüler's corrected one for his models, else that of the model), model, corrected, wide or printed")
       .may_lack_value()
       .show_default("auto")
       .one_of({"auto", "model", "corrected", "wide", "printed"})
@@ -187,13 +186,11 @@ void add_shader(CommandLine& line) {
       .value_name("FILE");
   verb.option("--material", arguments->material, "which of the choice or the layout").value_name("NAME");
   verb.option("--layout", arguments->layout,
-              "layout.json of etak pack: values that vary come from its textures, the rest are "
-              "uniforms")
+              "layout.json of etak pack: values that vary come from its textures, the rest are uniforms")
       .reads_file()
       .value_name("FILE");
   verb.option("--defines", arguments->defines,
-              "what is fetched from the two textures, as etak pack lists it: a file with a "
-              "define a line")
+              "what is fetched from the two textures, as etak pack lists it: a file with a define a line")
       .reads_file()
       .value_name("FILE");
   verb.flag("--function", arguments->function,

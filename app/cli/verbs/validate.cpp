@@ -87,9 +87,9 @@ void add_verdict_options(Command verb, ValidateArguments& a) {
 void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments>& arguments) {
   ValidateArguments& a = *arguments;
   Command verb = line.verb("validate", "find impossible materials in textures, atlases, scenes and data");
-  verb.option("path", a.paths,
-              "files, folders and pipes: texture pairs, metal-rough sets, atlas layouts, glTF "
-              "scenes, material files, spectra; - is standard input")
+  verb.option(
+          "path", a.paths,
+          "files, folders and pipes: texture pairs, metal-rough sets, atlas layouts, glTF scenes, material files, spectra; - is standard input")
       .reads_file()
       .value_name("PATH...")
       .in_shards(InShards::free);  // what they hold is in the digest of the files
@@ -98,15 +98,13 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
       .reads_file()
       .value_name("FILE")
       .in_shards(InShards::free);
-  verb.option("--changed-since", a.changed_since,
-              "of the given folders and files, only what differs from where this branch left COMMIT, or is "
-              "new to git; "
-              "nothing changed is no failure")
+  verb.option(
+          "--changed-since", a.changed_since,
+          "of the given folders and files, only what differs from where this branch left COMMIT, or is new to git; nothing changed is no failure")
       .value_name("COMMIT");
-  verb.flag("--allow-empty", a.allow_empty,
-            "pass where there is nothing to check, also with an empty --files-from, and pass over named "
-            "files of no "
-            "known kind; else that is status 2");
+  verb.flag(
+      "--allow-empty", a.allow_empty,
+      "pass where there is nothing to check, also with an empty --files-from, and pass over named files of no known kind; else that is status 2");
   verb.flag("--list-files", a.list_files,
             "show what every file is taken for, and stop (--format text or json)")
       .in_shards(InShards::whole);
@@ -133,8 +131,7 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
       .in_shards(InShards::whole);
   verb.option(
           "--fix", a.fix_folder,
-          "folder for repaired copies of the sets that can be repaired, and a page of before and after; the "
-          "originals stay as they are")
+          "folder for repaired copies of the sets that can be repaired, and a page of before and after; the originals stay as they are")
       .value_name("DIR")
       .in_shards(InShards::whole);
   verb.flag("--watch", a.watch,

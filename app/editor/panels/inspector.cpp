@@ -103,13 +103,11 @@ void Inspector::make_numbers() {
           [this] { reset_color(*diffuse_, &ProjectMaterial::diffuse, tr("diffuse colour")); });
   gloss_ = fields_.number(
       {tr("Gloss"), "",
-       tr("Sch\u00fcler's gloss g: exponent 2^(12 g), \u03b1 = \u221a(2 / (exponent + 2)), roughness "
-          "\u221a\u03b1: 0.904 for gloss 0 to 0.149 for gloss 1")},
+       tr("Sch\u00fcler's gloss g: exponent 2^(12 g), \u03b1 = \u221a(2 / (exponent + 2)), roughness \u221a\u03b1: 0.904 for gloss 0 to 0.149 for gloss 1")},
       {0, 1, 0.75}, &ProjectMaterial::gloss);
   roughness_ = fields_.number(
       {tr("Roughness"), "",
-       tr("Perceptual roughness r, in place of gloss: \u03b1 = r\u00b2, gloss log2(2 / r\u2074 \u2212 2) / "
-          "12. Below 0.149 and above 0.904 there is no gloss: what takes one gets the nearest")},
+       tr("Perceptual roughness r, in place of gloss: \u03b1 = r\u00b2, gloss log2(2 / r\u2074 \u2212 2) / 12. Below 0.149 and above 0.904 there is no gloss: what takes one gets the nearest")},
       {0, 1, roughness_of_gloss(0.75)},
       Computed{[](const ProjectMaterial& m) { return m.gloss.roughness(); },
                [](ProjectMaterial& m, double roughness) { m.gloss = Gloss::of_roughness(roughness); }});
@@ -125,8 +123,7 @@ void Inspector::make_numbers() {
       [](const ProjectMaterial& m) { return m.alpha_mode != AlphaMode::opaque; });
   fields_.choice(
       {tr("Alpha mode"), "",
-       tr("opaque: alpha opacity is not looked at; mask: drawn or not, by the cutoff; blend: mixed with what "
-          "lies behind")},
+       tr("opaque: alpha opacity is not looked at; mask: drawn or not, by the cutoff; blend: mixed with what lies behind")},
       {tr("opaque"), tr("mask"), tr("blend")}, &ProjectMaterial::alpha_mode);
   fields_.number(
       {tr("Alpha cutoff"), "", tr("In the mode mask: what has a lower alpha opacity is not drawn at all")},

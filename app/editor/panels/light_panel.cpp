@@ -110,15 +110,13 @@ void LightPanel::make_light() {
   light_.in(section);
   light_.choice(
       {tr("Kind of light"), tr("Kind"),
-       tr("point: from a place to all sides; directional: from far away; spot: from a place within a cone; "
-          "rectangle, disc: from an area, lit on the side to which its direction shows")},
+       tr("point: from a place to all sides; directional: from far away; spot: from a place within a cone; rectangle, disc: from an area, lit on the side to which its direction shows")},
       names_of(light_kinds), &Light::kind);
   light_.color({tr("Light colour"), tr("Colour"), tr("Linear colour, times the intensity")}, {1, 1, 1},
                &Light::color);
   NumberField* intensity = light_.number(
       {tr("Intensity"), tr("I"),
-       tr("Factor of the light's colour. Of a directional light both together are the irradiance on a plane "
-          "that faces it, in W/m\u00b2; of a point or a spot the radiant intensity in W/sr, which is the "
+       tr("Factor of the light's colour. Of a directional light both together are the irradiance on a plane that faces it, in W/m\u00b2; of a point or a spot the radiant intensity in W/sr, which is the "
           "irradiance at a distance of one radius of the sphere; of an area its radiance in W/(m\u00b2 sr)")},
       {0, 20, 1, 0, 1e6}, &Light::intensity);
   intensity_unit_ = qobject_cast<QLabel*>(section.rows().labelForField(intensity));
@@ -164,8 +162,7 @@ void LightPanel::make_hemispheres() {
                       &Hemispheres::axis, normalised_direction);
   hemispheres_.choice(
       {tr("Form of the hemispheres' formula"), tr("Form"),
-       tr("How the two colours are mixed: model, by the chosen model's own reflectance and lobe; Schüler's "
-          "corrected; wide, with a transition that is never a step; printed, as the article has it, white on "
+       tr("How the two colours are mixed: model, by the chosen model's own reflectance and lobe; Schüler's corrected; wide, with a transition that is never a step; printed, as the article has it, white on "
           "rough surfaces; auto: Schüler's for his own models, else model"),
        tr("hemispheres' form")},
       names_of(hemisphere_forms), &Hemispheres::form);

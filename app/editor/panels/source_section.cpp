@@ -53,10 +53,9 @@ SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& l
 }  // namespace
 
 QString let_go_text(const ProjectMaterial& m) {
-  return QObject::tr(
-             "%1 is measured no longer: its colours are typed numbers now. Undo or the colour's reset goes "
-             "back to the measurement of %2")
-      .arg(qt_text(m.name), qt_text(m.measured->material));
+  return QObject::
+      tr("%1 is measured no longer: its colours are typed numbers now. Undo or the colour's reset goes back to the measurement of %2")
+          .arg(qt_text(m.name), qt_text(m.measured->material));
 }
 
 SourceSection::SourceSection(Document& document, QWidget* parent)

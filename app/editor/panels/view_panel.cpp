@@ -66,8 +66,7 @@ void ViewPanel::make_display() {
   Section& section = add_section(tr("Display"));
   view_.in(section).number(
       {tr("Exposure"), tr("Exposure EV"),
-       tr("In stops (EV): each one more doubles the light. The view \"false colours of exposure\" shows how "
-          "many stops above or below 18 % grey each place is")},
+       tr("In stops (EV): each one more doubles the light. The view \"false colours of exposure\" shows how many stops above or below 18 % grey each place is")},
       {-most_stops, most_stops, 0},
       // A file may hold 0, which is no number of stops.
       Computed{[](const ProjectView& v) { return std::log2(std::max(v.exposure, 1e-9)); },
@@ -77,9 +76,9 @@ void ViewPanel::make_display() {
   section.add(
       tr("Display"), display_,
       tr("What kind of screen the picture is made for: the plain sRGB curve, or a display of the config"));
-  section.add(tr("View"), view_of_display_,
-              tr("How scene colours are brought to that screen: a tone curve before the one of sRGB, or the "
-                 "config's own views"));
+  section.add(
+      tr("View"), view_of_display_,
+      tr("How scene colours are brought to that screen: a tone curve before the one of sRGB, or the config's own views"));
   connect(display_, &QComboBox::activated, this, [this] {
     view_of_display_->clear();
     view_of_display_->addItems(display_->currentData().toStringList());

@@ -123,8 +123,7 @@ std::string totals_text(const PackTotals& totals) {
     out +=
         std::to_string(totals.lossy.files) + (totals.lossy.files == 1 ? " file" : " files") + " of " +
         megabytes(totals.lossy.disk) +
-        " of the input lost detail to compression (JPEG, ...); what is made of them is lossless PNG, which "
-        "mostly takes more\n";
+        " of the input lost detail to compression (JPEG, ...); what is made of them is lossless PNG, which mostly takes more\n";
   return out;
 }
 

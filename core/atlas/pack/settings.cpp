@@ -22,11 +22,7 @@ constexpr std::string_view layout = "Layout", less = "Leaving out", content = "C
 constexpr PackSettingRow setting_rows[] = {
     {layout, "page", &S::page, 1, max_image_side, "N", shown, "largest side of a page"},
     {layout, "page-form", &S::page_form, 0, 0, "", shown,
-     "mixed (powers of two up to {page}, least area), pages (all {page}), square, pot, free or mult4 (one "
-     "page; "
-     "of mult4 the sides are multiples of 4, as block compression wants them); auto: free for a scene that "
-     "fits "
-     "one page, else mixed",
+     "mixed (powers of two up to {page}, least area), pages (all {page}), square, pot, free or mult4 (one page; of mult4 the sides are multiples of 4, as block compression wants them); auto: free for a scene that fits one page, else mixed",
      "auto mixed pages square pot free mult4"},
     {layout, "rotate", &S::rotate, 0, 0, "0|1", shown, "1: regions may be turned by 90 degrees"},
     {layout, "effort", &S::effort, 1, 1000000, "N", shown,
@@ -34,36 +30,30 @@ constexpr PackSettingRow setting_rows[] = {
     {layout, "max-seconds", &S::max_seconds, 0, 1e6, "S", line_only,
      "begin no further try after this time; the layout then depends on the machine"},
     {layout, "gutter", &S::gutter, 0, 0, "auto|N", shown | or_number,
-     "texels around each region that repeat its edge; auto: from the mips, none where that would cost more "
-     "than a quarter of the area (UVs are then inset)"},
+     "texels around each region that repeat its edge; auto: from the mips, none where that would cost more than a quarter of the area (UVs are then inset)"},
     {layout, "mips", &S::mips, 0, 0, "auto|all|N", shown | or_number,
      "levels, level 0 among them; all: down to 1 x 1; auto: all for ktx2 and dds, else 1"},
     {layout, "previous", &S::previous, 0, 0, "FILE", file,
      "layout.json of an earlier run: unchanged regions stay where they were"},
     {layout, "extra-area", &S::extra_area, 0, 1000, "", shown, "percent of page area that staying may cost"},
     {less, "keep", &S::keep, 0, 0, "WHAT", commas,
-     "do not leave out: unreached, equal, alpha, constant, grey, crop, islands, resolution, textures, mips, "
-     "files or all; may be given again"},
+     "do not leave out: unreached, equal, alpha, constant, grey, crop, islands, resolution, textures, mips, files or all; may be given again"},
     {less, "choice", &S::choice, 0, 0, "FILE", file,
-     "what etak choose found for this input (its JSON): defines of shaders, textures that may be one number, "
-     "mips that nothing reads, F0's integration, PNG level"},
+     "what etak choose found for this input (its JSON): defines of shaders, textures that may be one number, mips that nothing reads, F0's integration, PNG level"},
     {less, "islands", &S::islands, 0, 0, "", flag,
      "of a scene, keep only the islands of texels that triangles use"},
     {less, "max-error", &S::max_error, 0, 1000, "DE", 0,
-     "store a region at half its size, a quarter, ... while that differs by no more than so many dE2000 (and "
-     "percent of alpha and of gloss) from what can be seen"},
+     "store a region at half its size, a quarter, ... while that differs by no more than so many dE2000 (and percent of alpha and of gloss) from what can be seen"},
     {less, "texel-density", &S::texel_density, 1e-9, 1e12, "N", 0,
      "of a scene: so many texels per unit of its world are enough"},
     {less, "view-height", &S::view_height, 1, 1000000, "PIXELS", 0,
-     "of a scene with cameras: height of their pictures in pixels; resolution and mips that none of them can "
-     "show are left out"},
+     "of a scene with cameras: height of their pictures in pixels; resolution and mips that none of them can show are left out"},
     {content, "pattern", &S::pattern, 0, 0, "", shown, "of the files in a folder"},
     {content, "gloss-channel", &S::gloss, 0, 0, "", 0,
      "what the gloss channel is to hold: schueler, one_minus_roughness or roughness; default as the input",
      "schueler one_minus_roughness roughness", "gloss"},
     {content, "space-of", &S::space_of, 0, 0, "ROLE=SPACE", 0,
-     "ROLE=SPACE: colour space of pictures that name none: srgb, linear, power-2.2 or one of the OpenColorIO "
-     "config; roles: diffuse, specular, basecolor; may be given again"},
+     "ROLE=SPACE: colour space of pictures that name none: srgb, linear, power-2.2 or one of the OpenColorIO config; roles: diffuse, specular, basecolor; may be given again"},
     {content, "ocio", &S::ocio, 0, 0, "FILE", file,
      "OpenColorIO config to look spaces up in (else $OCIO, else etak's own)"},
     {content, "bleed", &S::bleed, 0, 0, "", flag,
@@ -74,24 +64,16 @@ constexpr PackSettingRow setting_rows[] = {
     {content, "drop-variants", &S::drop_variants, 0, 0, "", flag | line_only,
      "materials that only KHR_materials_variants uses do not count"},
     {content, "gltf-form", &S::gltf_form, 0, 0, "FORM", shown,
-     "materials of the written glTF: specular-ior (KHR_materials_specular and _ior, lossless), "
-     "specular-glossiness or metal-rough; the first is the material, more with ',' between are added; "
+     "materials of the written glTF: specular-ior (KHR_materials_specular and _ior, lossless), specular-glossiness or metal-rough; the first is the material, more with ',' between are added; "
      "smallest: of the forms that are exact in this scene the one whose textures weigh least"},
     {content, "goal", &S::goal, 0, 0, "", shown,
-     "what is weighed where a scene's textures can be written in several ways (form, islands, on a page or "
-     "as "
-     "they were): gpu (bytes on a GPU, uncompressed with mips), disk (bytes of the files, which are "
-     "compressed to be weighed) or both (shares of the input's, added); one-page: one pair of textures for "
-     "all "
-     "materials, each of diffuse, alpha, F0 and gloss that they share stored once, numbers as texels, and no "
-     "scene.gltf",
+     "what is weighed where a scene's textures can be written in several ways (form, islands, on a page or as they were): gpu (bytes on a GPU, uncompressed with mips), disk (bytes of the files, which are "
+     "compressed to be weighed) or both (shares of the input's, added); one-page: one pair of textures for all materials, each of diffuse, alpha, F0 and gloss that they share stored once, numbers as texels, and no scene.gltf",
      "gpu disk both one-page"},
     {output, "textures", &S::format, 0, 0, "LIST", shown,
      "files of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between", "", "format"},
     {output, "png-level", &S::png_level, 0, 0, "", shown,
-     "fast, small or smallest; auto: of each picture the level at which compressing it and sending it once "
-     "at 1 "
-     "MB/s takes least, and palettes or grey of fewer bits for those that only a scene reads",
+     "fast, small or smallest; auto: of each picture the level at which compressing it and sending it once at 1 MB/s takes least, and palettes or grey of fewer bits for those that only a scene reads",
      "fast small smallest auto"},
     {output, "zstd", &S::zstd, 0, 22, "", shown, "Zstandard level of ktx2; 0: none"},
 };

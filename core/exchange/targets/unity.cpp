@@ -8,8 +8,7 @@ void unity_alpha(const TargetJob& j) {
   if (!j.clear()) return j.opacity("Alpha");
   j.add("Alpha", j.s.opacity < 1 ? j.s.opacity : 0);
   j.note(
-      "the body is clear: Rendering Mode Transparent, which keeps the reflection where Alpha is 0; it does "
-      "not refract (" +
+      "the body is clear: Rendering Mode Transparent, which keeps the reflection where Alpha is 0; it does not refract (" +
       j.index_text() + ")");
   j.note_absorption("no field of the material takes it");
 }

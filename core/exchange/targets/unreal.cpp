@@ -26,9 +26,7 @@ void write_unreal(const TargetJob& j) {
   if (j.clear()) {
     j.add("Refraction (Index of Refraction)", j.index());
     j.note(
-        "the body is clear: Blend Mode Translucent, Lighting Mode Surface ForwardShading, Refraction Method "
-        "Index of "
-        "Refraction; Opacity is left to you, because it fades the reflection too");
+        "the body is clear: Blend Mode Translucent, Lighting Mode Surface ForwardShading, Refraction Method Index of Refraction; Opacity is left to you, because it fades the reflection too");
     j.note_absorption("no field of the material takes it");
   }
   j.opacity("Opacity");

@@ -27,9 +27,7 @@ class Row {
 
 std::string validation_csv(const ValidationReport& report) {
   std::string out =
-      "file,tile,material,pointer,rule,slug,severity,x,y,width,height,area_px,area_share,linear_r,linear_g,"
-      "linear_b,"
-      "byte_r,byte_g,byte_b,Y,value,limit,nearest,message,cause,fix,source,suppressed,baseline";
+      "file,tile,material,pointer,rule,slug,severity,x,y,width,height,area_px,area_share,linear_r,linear_g,linear_b,byte_r,byte_g,byte_b,Y,value,limit,nearest,message,cause,fix,source,suppressed,baseline";
   out += report.shard ? ",shard\r\n" : "\r\n";
   for (const CheckedFile& file : report.files)
     for (const Finding& f : file.findings) {

@@ -10,11 +10,9 @@ constinit const Rule etk002_missing_companion{
     .severity = Severity::error,
     .source = "Schueler 2009: two RGBA textures per material",
     .what =
-        "A diffuse picture without its specular one, or the reverse. An F0 picture on its own has a role of "
-        "its own, \"f0\"; an atlas page may do with one where its layout says so.",
+        "A diffuse picture without its specular one, or the reverse. An F0 picture on its own has a role of its own, \"f0\"; an atlas page may do with one where its layout says so.",
     .why =
-        "Diffuse and specular share UVs and are judged together: energy, black diffuse under metal and the "
-        "like need both.",
+        "Diffuse and specular share UVs and are judged together: energy, black diffuse under metal and the like need both.",
     .example = "crate_diff.png without crate_spec.png.",
     .fix = "Add the other texture, or give the picture the role \"f0\".",
     .check = [](RuleCheck& check) {

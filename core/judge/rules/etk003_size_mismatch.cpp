@@ -11,11 +11,9 @@ constinit const Rule etk003_size_mismatch{
     .needs = {Need::header},
     .source = "Schueler 2009: both textures are sampled with the same UVs",
     .what =
-        "Width or height of the diffuse and the specular picture differ. A metal-rough set may differ: it is "
-        "resampled.",
+        "Width or height of the diffuse and the specular picture differ. A metal-rough set may differ: it is resampled.",
     .why =
-        "Rules that need the texels of both pictures cannot judge them, and mip levels of the two do not "
-        "match.",
+        "Rules that need the texels of both pictures cannot judge them, and mip levels of the two do not match.",
     .example = "Diffuse exported at 2048, specular at 1024.",
     .fix = "Export both at one size.",
     .check = [](RuleCheck& check) {

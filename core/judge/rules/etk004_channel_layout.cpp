@@ -11,11 +11,9 @@ constinit const Rule etk004_channel_layout{
     .needs = {Need::header},
     .source = "Schueler 2009",
     .what =
-        "A diffuse or specular picture without four channels, a palette picture, or grey where colour is "
-        "expected.",
+        "A diffuse or specular picture without four channels, a palette picture, or grey where colour is expected.",
     .why =
-        "A missing fourth channel means no alpha or no gloss; a palette holds at most 256 colours of a "
-        "texture.",
+        "A missing fourth channel means no alpha or no gloss; a palette holds at most 256 colours of a texture.",
     .example = "Specular saved as RGB: gloss is lost. A colour picture saved as 'indexed'.",
     .fix = "Save as RGBA, 8 bits a channel or more.",
     .check = [](RuleCheck& check) {

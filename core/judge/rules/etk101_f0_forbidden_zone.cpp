@@ -61,26 +61,19 @@ constinit const Rule etk101_f0_forbidden_zone{
     .parameters = {{"match_bytes", 3, 3, "codes",
                     "distance at which a plateau counts as a material of the library"}},
     .source =
-        "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors below 0.4564 "
-        "invalid; thresholds of the region analysis measured on synthetic edges (etak)",
+        "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors below 0.4564 invalid; thresholds of the region analysis measured on synthetic edges (etak)",
     .what =
-        "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 125 to 177 for "
-        "greys). A warning where the colour is within 3 codes of a common material of the library that lies "
-        "in the zone itself (silicon, graphite, hematite, titanium nitride), information when the file names "
-        "a material of the zone and the colour is its own, and a warning where a metal-rough set is half "
-        "metal (ETK113). Regions, not texels: what filtering makes of an edge between metal and dielectric "
-        "is left to ETK102. The smallest region is 32 texels and 0.001 % of the tile: a first limit of 0.01 "
-        "% would have hidden a patch of 10 x 10 in a tile of 1024 x 1024. Codes are rounded: what lies "
-        "within half a code of a limit (0.0028 at 0.45, 0.0018 at 0.20) counts as outside, such as Hoffman's "
+        "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 125 to 177 for greys). A warning where the colour is within 3 codes of a common material of the library that lies "
+        "in the zone itself (silicon, graphite, hematite, titanium nitride), information when the file names a material of the zone and the colour is its own, and a warning where a metal-rough set is half "
+        "metal (ETK113). Regions, not texels: what filtering makes of an edge between metal and dielectric is left to ETK102. The smallest region is 32 texels and 0.001 % of the tile: a first limit of 0.01 "
+        "% would have hidden a patch of 10 x 10 in a tile of 1024 x 1024. Codes are rounded: what lies within half a code of a limit (0.0028 at 0.45, 0.0018 at 0.20) counts as outside, such as Hoffman's "
         "0.200, code 124, and indium antimonide, 0.4492.",
     .why =
-        "Dielectrics reflect 2 to 5 %, gems up to 17 %, metals half or more. Between lie only semiconductors "
-        "and a few compounds.",
+        "Dielectrics reflect 2 to 5 %, gems up to 17 %, metals half or more. Between lie only semiconductors and a few compounds.",
     .example =
         "Plastic of F0 0.04 encoded to sRGB twice reads as 0.22; a 50 % grey specular map reads as 0.21.",
     .fix =
-        "Decide whether the surface is metal or not; re-export without a second sRGB conversion; or name the "
-        "material.",
+        "Decide whether the surface is metal or not; re-export without a second sRGB conversion; or name the material.",
     .region = RegionKind::zone,
     .check = [](RuleCheck& check) {
       const ZoneSettings& zone = check.settings.zone;

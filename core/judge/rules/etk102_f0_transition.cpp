@@ -14,12 +14,10 @@ constinit const Rule etk102_f0_transition{
     .source =
         "etak: filtered edges between metal and dielectric fill 0.5 to 30 % of a tile, by their softness",
     .what =
-        "Texels in the zone that are filtered edges, soft masks or features thinner than 5 texels, summed "
-        "up, and solid patches with hard edges that are too small for ETK101 (7 or 8 texels a side), of "
+        "Texels in the zone that are filtered edges, soft masks or features thinner than 5 texels, summed up, and solid patches with hard edges that are too small for ETK101 (7 or 8 texels a side), of "
         "which the largest is shown. A warning above 10 % of the tile.",
     .why =
-        "Edges pass through the zone; that is not a mistake. Wide soft masks are: they show as a seam of a "
-        "material that does not exist.",
+        "Edges pass through the zone; that is not a mistake. Wide soft masks are: they show as a seam of a material that does not exist.",
     .example = "A metal mask blurred with a large brush.",
     .fix = "Use a sharper metal mask, or more texels; give a patch the F0 of its material.",
     .region = RegionKind::zone,

@@ -13,12 +13,10 @@ constinit const Rule etk103_f0_too_low{
     .parameters = {{"max_luminance", least_dielectric_f0, least_dielectric_f0, "",
                     "F0 below which a plateau is reported"}},
     .source =
-        "Lowest entries of the library: index 1.30 to 1.333, F0 0.017 to 0.020; Unreal and Frostbite take "
-        "less than 2 % for shadowing; Schueler: min(60 Ks, 1)",
+        "Lowest entries of the library: index 1.30 to 1.333, F0 0.017 to 0.020; Unreal and Frostbite take less than 2 % for shadowing; Schueler: min(60 Ks, 1)",
     .what = "A plateau of F0 with luminance above 0 but below 0.017 (sRGB code 36).",
     .why =
-        "No solid or liquid reflects less than ice and water do. Lower values stand for occlusion painted "
-        "into the specular map, or for linear codes.",
+        "No solid or liquid reflects less than ice and water do. Lower values stand for occlusion painted into the specular map, or for linear codes.",
     .example =
         "Cavities painted dark in the specular map; F0 0.04 stored as linear code 10, which reads as 0.003.",
     .fix = "Use an occlusion map for cavities; store F0 with the sRGB curve.",

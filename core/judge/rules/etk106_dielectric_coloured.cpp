@@ -16,12 +16,10 @@ constinit const Rule etk106_dielectric_coloured{
                    {"spread_error", 12, 12, "codes", "above which it is an error"}},
     .source = "Hoffman: F0 of dielectrics is achromatic; Schueler's own diamond row is 114/115/117",
     .what =
-        "A plateau below the forbidden zone whose channels are more than 4 codes apart; an error above 12 "
-        "codes. In metal-rough sets only where metallic is 0: else base colour shines through, as on a "
+        "A plateau below the forbidden zone whose channels are more than 4 codes apart; an error above 12 codes. In metal-rough sets only where metallic is 0: else base colour shines through, as on a "
         "public sample whose lossy metallic channel wavers by a few codes.",
     .why =
-        "The index of transparent media hardly changes over the visible range, so their reflections have no "
-        "hue. Colour belongs into the diffuse texture.",
+        "The index of transparent media hardly changes over the visible range, so their reflections have no hue. Colour belongs into the diffuse texture.",
     .example = "The diffuse colour multiplied into the specular map.",
     .fix = "Make F0 grey; put the hue into diffuse.",
     .region = RegionKind::coloured,

@@ -61,12 +61,10 @@ constinit const Rule etk107_f0_above_one{
     .needs = {Need::bytes_b, Need::floats},
     .source = "Hoffman prints gold with red 1.022; glTF refuses F0 above 1",
     .what =
-        "Float: a channel above 1; information while the luminance is not above 1 and a metal of the library "
-        "matches, else an error. 8 bits: a channel (or two) at code 255 on bright coloured F0, which was "
+        "Float: a channel above 1; information while the luminance is not above 1 and a metal of the library matches, else an error. 8 bits: a channel (or two) at code 255 on bright coloured F0, which was "
         "clipped or mapped into the gamut by somebody.",
     .why =
-        "Gold's red lies outside of linear sRGB, so 1.02 to 1.06 is right there. Anything else above 1 "
-        "creates energy.",
+        "Gold's red lies outside of linear sRGB, so 1.02 to 1.06 is right there. Anything else above 1 creates energy.",
     .example = "Specular multiplied by an exposure; gold exported to 8 bits, red clipped.",
     .fix = "Bring F0 to at most 1; for gold and copper say which gamut mapping was used.",
     .check = [](RuleCheck& check) {

@@ -16,9 +16,7 @@ constinit const Rule etk108_metal_has_diffuse{
                    {"error_byte", 50, 50, "code", "above which it is an error"}},
     .source = "Schueler 2009: diffuse of metals is black; Unity, \"pure metal\"",
     .what =
-        "A plateau with F0 at or above the zone's upper end and a diffuse channel above sRGB code 30 "
-        "(0.013); an error above code 50 (0.032). Metal-rough sets are not judged: there the metallic "
-        "channel decides.",
+        "A plateau with F0 at or above the zone's upper end and a diffuse channel above sRGB code 30 (0.013); an error above code 50 (0.032). Metal-rough sets are not judged: there the metallic channel decides.",
     .why = "Free electrons absorb what is not reflected: no light comes back out of a metal to be diffuse.",
     .example = "A metal-rough base colour copied into the diffuse slot of a specular workflow.",
     .fix = "Paint diffuse black under metals.",

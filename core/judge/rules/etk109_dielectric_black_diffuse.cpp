@@ -11,8 +11,7 @@ constinit const Rule etk109_dielectric_black_diffuse{
     .needs = {Need::bytes_a, Need::bytes_b, Need::regions},
     .source = "etak",
     .what =
-        "A plateau of dielectric F0 whose diffuse has no channel above code 2, in a file that is not marked "
-        "transparent.",
+        "A plateau of dielectric F0 whose diffuse has no channel above code 2, in a file that is not marked transparent.",
     .why = "It may be glass or soot, but it is also what a metal looks like whose F0 was forgotten.",
     .example = "Metal mask applied to diffuse but not to specular.",
     .fix = "Give the metal its F0, or mark the material transparent.",

@@ -58,10 +58,8 @@ constinit const Rule etk110_f0_varies{
                    {"share", 5, 5, "%", "of an unnamed tile from which on a second value is told"}},
     .source = "Schueler 2009: one F0 per material, the variety belongs into gloss",
     .what =
-        "Where tiles are named: inside one material the standard deviation of some channel of F0 exceeds 3 "
-        "codes. Where nothing names the materials of a tile it is information: what is no metal has two "
-        "values of F0, each on 5 % of the texels or more and further than 6 codes from the other. Name the "
-        "materials (--material, tiles of a manifest) to have each judged by itself.",
+        "Where tiles are named: inside one material the standard deviation of some channel of F0 exceeds 3 codes. Where nothing names the materials of a tile it is information: what is no metal has two "
+        "values of F0, each on 5 % of the texels or more and further than 6 codes from the other. Name the materials (--material, tiles of a manifest) to have each judged by itself.",
     .why = "F0 follows from the index of refraction, which does not change with scratches or dirt.",
     .example = "Noise or a photo overlaid on the specular map.",
     .fix = "Use one F0 for the material and put the variation into gloss.",

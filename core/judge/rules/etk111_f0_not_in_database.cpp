@@ -13,8 +13,7 @@ constinit const Rule etk111_f0_not_in_database{
     .parameters = {{"distance", 6, 6, "codes", "largest channel difference that counts as known"}},
     .source = "The material library of etak",
     .what =
-        "A plateau further than 6 codes from every dataset of the library; the three nearest are named. Off "
-        "by default.",
+        "A plateau further than 6 codes from every dataset of the library; the three nearest are named. Off by default.",
     .why = "A measured value is a better start than a painted one.",
     .example = "An F0 found by eye.",
     .fix = "Take the F0 of one of the nearest materials.",

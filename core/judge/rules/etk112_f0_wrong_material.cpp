@@ -35,11 +35,9 @@ constinit const Rule etk112_f0_wrong_material{
     .needs = {Need::bytes_b, Need::regions, Need::named},
     .parameters = {{"distance", 3, 3, "codes", "largest channel difference from the nearest dataset"}},
     .source =
-        "The material library of etak: titanium spans 0.40 to 0.60 over its datasets, so all of them are "
-        "compared",
+        "The material library of etak: titanium spans 0.40 to 0.60 over its datasets, so all of them are compared",
     .what =
-        "The file names a material of the library, and a plateau differs by more than 3 codes from every "
-        "dataset of it.",
+        "The file names a material of the library, and a plateau differs by more than 3 codes from every dataset of it.",
     .why = "Name and value contradict each other: one of them is wrong.",
     .example = "A tile named gold with the F0 of brass.",
     .fix = "Correct the F0 (etak f0 NAME prints it) or the name.",

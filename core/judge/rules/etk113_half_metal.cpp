@@ -13,8 +13,7 @@ constinit const Rule etk113_half_metal{
     .source = "Khronos glTF 2.0 and Filament: metallic is close to 0 or 1",
     .what = "Metal-rough sets: a plateau with metallic between 0.1 and 0.9.",
     .why =
-        "A surface is metal or it is not; the values between are there for filtered edges only and give F0 "
-        "of the forbidden zone.",
+        "A surface is metal or it is not; the values between are there for filtered edges only and give F0 of the forbidden zone.",
     .example = "Metallic painted at 0.5 for 'semi-metallic' paint.",
     .fix = "Set metallic to 0 or 1; for rust and dirt use a sharp mask.",
     .region = RegionKind::half_metal,

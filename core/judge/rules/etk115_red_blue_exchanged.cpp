@@ -37,12 +37,10 @@ constinit const Rule etk115_red_blue_exchanged{
                     "least difference of blue and red, and least distance as it is from a material"}},
     .source = "The material library of etak, none of whose metals is reported as it is",
     .what =
-        "A plateau of metal whose blue is more than 12 codes above its red, further than 12 codes from every "
-        "material of the library, and within 6 codes of a metal once red and blue are exchanged. Where the "
+        "A plateau of metal whose blue is more than 12 codes above its red, further than 12 codes from every material of the library, and within 6 codes of a metal once red and blue are exchanged. Where the "
         "file names a material of the library, ETK112 says it.",
     .why =
-        "Coloured metals are yellow, red or brown: they reflect less of blue light. Next to none reflects "
-        "less of red light.",
+        "Coloured metals are yellow, red or brown: they reflect less of blue light. Next to none reflects less of red light.",
     .example = "A loader that takes BGR for RGB: gold comes out as light blue.",
     .fix = "Exchange the two channels on export, or name the material if the colour is meant.",
     .region = RegionKind::blue_metal,

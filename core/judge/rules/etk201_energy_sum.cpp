@@ -13,13 +13,10 @@ constinit const Rule etk201_energy_sum{
     .parameters = {{"limit", 1 + 1.0 / 255, 1 + 1.0 / 255, "", "largest sum of a channel that is let pass"},
                    {"far_limit", 1.02, 1.02, "", "above which it is an error"}},
     .source =
-        "Energy conservation; of 45 measured materials the brightest, Spectralon, reaches 1.012 and 44 stay "
-        "below 1",
+        "Energy conservation; of 45 measured materials the brightest, Spectralon, reaches 1.012 and 44 stay below 1",
     .what =
-        "Texels where the linear sum of diffuse and F0 exceeds 1 + 1/255 in a channel; an error above 1.02. "
-        "Where the shader weighs diffuse by what the specular part leaves (glTF), Kd (1 - max Ks) + Ks is "
-        "tested instead, which only a value above 1 can break. Reported from the area on that a region "
-        "needs: single texels are noise.",
+        "Texels where the linear sum of diffuse and F0 exceeds 1 + 1/255 in a channel; an error above 1.02. Where the shader weighs diffuse by what the specular part leaves (glTF), Kd (1 - max Ks) + Ks is "
+        "tested instead, which only a value above 1 can break. Reported from the area on that a region needs: single texels are noise.",
     .why = "More light leaves than comes in: interreflections in a renderer grow without end.",
     .example = "White plaster at 1.0 diffuse with F0 0.04 on top.",
     .fix = "Lower diffuse to 1 - F0, or F0 to that of the material.",

@@ -7,8 +7,7 @@ namespace etak {
 namespace {
 
 constexpr const char* black_fix =
-    "Leave it black if it is glass (mark it transparent) or a metal (give it the F0 of that metal); brighten "
-    "what is neither to code 30 or more.";
+    "Leave it black if it is glass (mark it transparent) or a metal (give it the F0 of that metal); brighten what is neither to code 30 or more.";
 
 }  // namespace
 
@@ -20,16 +19,13 @@ constinit const Rule etk202_albedo_too_dark{
     .needs = {Need::bytes_a, Need::bytes_b, Need::regions},
     .parameters = {{"min_byte", 30, 50, "code", "smallest grey code that is let pass"}},
     .source =
-        "Filament, Substance, Godot and DONTNOD charts; strict: 50. 7 to 20 % of measured materials lie "
-        "outside of published ranges, so it is never an error",
+        "Filament, Substance, Godot and DONTNOD charts; strict: 50. 7 to 20 % of measured materials lie outside of published ranges, so it is never an error",
     .what =
-        "A plateau of dielectric surface with diffuse luminance below sRGB code 30 (strict: 50). Metals are "
-        "not judged: their diffuse is black.",
+        "A plateau of dielectric surface with diffuse luminance below sRGB code 30 (strict: 50). Metals are not judged: their diffuse is black.",
     .why = "Charcoal reflects 2 to 4 %. Darker paint swallows bounced light and looks like a hole.",
     .example = "Black plastic painted at code 10.",
     .fix =
-        "Brighten to code 30 or more, unless it was measured. Black (code 2 or less) may be glass, or a "
-        "metal that lacks its F0: these stay black.",
+        "Brighten to code 30 or more, unless it was measured. Black (code 2 or less) may be glass, or a metal that lacks its F0: these stay black.",
     .region = RegionKind::albedo_dark,
     .check = [](RuleCheck& check) {
       for (const auto& [tile, plateaus] : check.regions(RegionKind::albedo_dark)) {

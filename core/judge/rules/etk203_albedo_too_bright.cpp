@@ -14,8 +14,7 @@ constinit const Rule etk203_albedo_too_bright{
     .source = "The charts of ETK202; strict: 240. Fresh snow is 0.85 to 0.95 in Unity's presets",
     .what = "A plateau with diffuse luminance above sRGB code 250 (strict: 240).",
     .why =
-        "Nothing but reference tiles of pressed powder is whiter than snow; light then bounces almost "
-        "without loss.",
+        "Nothing but reference tiles of pressed powder is whiter than snow; light then bounces almost without loss.",
     .example = "Paper painted at pure white.",
     .fix = "Darken to code 240 or less.",
     .region = RegionKind::albedo_bright,

@@ -12,8 +12,7 @@ constinit const Rule etk204_albedo_single_channel{
     .source = "etak",
     .what = "A plateau with one diffuse channel above 0.2 and another exactly 0.",
     .why =
-        "No pigment absorbs a third of the spectrum completely. Saturated paint comes close (blood, anodised "
-        "aluminium), so it is information only.",
+        "No pigment absorbs a third of the spectrum completely. Saturated paint comes close (blood, anodised aluminium), so it is information only.",
     .example = "Pure red, 255 0 0, from a colour picker.",
     .fix = "Lift the lowest channel a little.",
     .region = RegionKind::albedo_single,

@@ -29,10 +29,8 @@ constinit const Rule etk205_albedo_preset{
     .needs = {Need::bytes_a, Need::named},
     .source = "Albedo bands of Unity's material charts",
     .what =
-        "The file names a class of surface, and the mean diffuse luminance lies outside of its band: "
-        "black-paint 0.03-0.07, dark-soil 0.05-0.14, worn-asphalt 0.10-0.15, dry-clay 0.15-0.35, grass "
-        "0.16-0.26, old-concrete 0.17-0.30, red-tile 0.23-0.33, dry-sand 0.20-0.45, new-concrete 0.32-0.55, "
-        "white-paint 0.75-0.85, snow 0.85-0.95.",
+        "The file names a class of surface, and the mean diffuse luminance lies outside of its band: black-paint 0.03-0.07, dark-soil 0.05-0.14, worn-asphalt 0.10-0.15, dry-clay 0.15-0.35, grass "
+        "0.16-0.26, old-concrete 0.17-0.30, red-tile 0.23-0.33, dry-sand 0.20-0.45, new-concrete 0.32-0.55, white-paint 0.75-0.85, snow 0.85-0.95.",
     .why = "Scenes of assets from many hands agree in exposure only when their albedos do.",
     .example = "Concrete painted from a photograph taken in shadow.",
     .fix = "Scale the diffuse texture so that its mean lies in the band.",

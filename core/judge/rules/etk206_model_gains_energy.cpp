@@ -43,14 +43,11 @@ constinit const Rule etk206_model_gains_energy{
     .needs = {Need::bytes_a, Need::bytes_b},
     .parameters = {{"limit", 1.001, 1.001, "", "largest directional albedo"}},
     .source =
-        "Directional albedo of etak's default model (Schueler's Optimized, bounded) at 0, 60, 80 and 85 "
-        "degrees, integrated once; TU Graz lecture: the integral is at most 1",
+        "Directional albedo of etak's default model (Schueler's Optimized, bounded) at 0, 60, 80 and 85 degrees, integrated once; TU Graz lecture: the integral is at most 1",
     .what =
-        "The mean diffuse colour of a tile plus the model's specular albedo at the tile's mean F0 and gloss "
-        "exceeds 1.001 for some angle.",
+        "The mean diffuse colour of a tile plus the model's specular albedo at the tile's mean F0 and gloss exceeds 1.001 for some angle.",
     .why =
-        "Adding diffuse and specular without weighing one by the other gains energy at grazing angles. It "
-        "speaks of the model, not of the artist.",
+        "Adding diffuse and specular without weighing one by the other gains energy at grazing angles. It speaks of the model, not of the artist.",
     .example = "White glossy plastic: 0.9 diffuse plus 0.44 specular albedo at 85 degrees.",
     .fix = "Use a model that weighs diffuse by what specular leaves, or darker diffuse.",
     .check = [](RuleCheck& check) {

@@ -17,8 +17,7 @@ constinit const Rule etk301_gloss_constant{
                    {"min_texels", 4096, 4096, "px", "smaller tiles are not judged"}},
     .source = "Schueler 2009: variety of a material is put into g",
     .what =
-        "Inside a tile of more than 4,096 texels the standard deviation of gloss is below 0.5 codes; a "
-        "warning when all tiles of an atlas are like that.",
+        "Inside a tile of more than 4,096 texels the standard deviation of gloss is below 0.5 codes; a warning when all tiles of an atlas are like that.",
     .why = "Real surfaces vary in polish, dust and wear; constant gloss looks like plastic.",
     .example = "Gloss slot filled with one grey.",
     .fix = "Paint gloss; or, if one number is meant, leave the texture out and use the number.",

@@ -16,8 +16,7 @@ constinit const Rule etk302_gloss_clipped{
     .source = "Godot and PBR-Check flag roughness below 0.01 and above 0.99",
     .what = "More than 5 % of the opaque texels have gloss code 0, or 255.",
     .why =
-        "A level adjustment or a conversion between gloss conventions has thrown structure away; gloss 1 is "
-        "a perfect mirror. Schueler's g saturates for glTF roughness below 0.149 and above 0.904.",
+        "A level adjustment or a conversion between gloss conventions has thrown structure away; gloss 1 is a perfect mirror. Schueler's g saturates for glTF roughness below 0.149 and above 0.904.",
     .example = "Contrast of a roughness map pushed up until the ends clip.",
     .fix = "Lower the contrast before export, or convert roughness by another convention.",
     .check = [](RuleCheck& check) {

@@ -13,8 +13,7 @@ constinit const Rule etk303_gloss_is_roughness{
     .needs = {Need::bytes_b, Need::named},
     .source = "etak (proposed; needs three materials because one alone says nothing)",
     .what =
-        "The file gives the typical gloss of at least three materials, and 1 - gloss fits better for all of "
-        "them.",
+        "The file gives the typical gloss of at least three materials, and 1 - gloss fits better for all of them.",
     .why = "The two conventions differ by an inversion only, and both look plausible alone.",
     .example = "A roughness map saved into the gloss channel.",
     .fix = "Invert the channel.",

@@ -15,10 +15,8 @@ constinit const Rule etk401_specular_stored_linear{
     .parameters = {{"share", 80, 80, "%", "of the plateau area with codes up to 84"}},
     .source = "Leave-one-out over 109 materials with 3 codes of noise: 99 % of dielectrics recognised (etak)",
     .what =
-        "Of the plateaus with codes up to 84 at least 80 % of the area has codes 4 to 26, and codes 36 to 84 "
-        "have at most a tenth of that (not none, because half metals of a public sample lie there when "
-        "stored linear). Brighter plateaus are not judged: the value of a metal does not tell how it was "
-        "stored, and metals stored linear lie in the zone or just below it.",
+        "Of the plateaus with codes up to 84 at least 80 % of the area has codes 4 to 26, and codes 36 to 84 have at most a tenth of that (not none, because half metals of a public sample lie there when "
+        "stored linear). Brighter plateaus are not judged: the value of a metal does not tell how it was stored, and metals stored linear lie in the zone or just below it.",
     .why = "F0 0.02 to 0.08 stored linear are codes 5 to 20 and read back as 0.0015 to 0.0072.",
     .example = "A shader graph baked to a linear texture, imported as sRGB.",
     .fix = "Export specular with the sRGB curve, or import it as linear.",

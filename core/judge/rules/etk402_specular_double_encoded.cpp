@@ -50,16 +50,11 @@ constinit const Rule etk402_specular_double_encoded{
                    {"gem_codes", 0.5, 0.5, "codes",
                     "distance at which a gem of the library explains a plateau"}},
     .source =
-        "Leave-one-out over 109 materials: 95 % of dielectrics recognised; 0.04 reads as 0.221, and 47 of 77 "
-        "dielectrics land in the forbidden zone (etak)",
+        "Leave-one-out over 109 materials: 95 % of dielectrics recognised; 0.04 reads as 0.221, and 47 of 77 dielectrics land in the forbidden zone (etak)",
     .what =
-        "At least 80 % of the area of achromatic non-metal plateaus has codes 105 to 155, whose second "
-        "decoding is an ordinary dielectric F0 of 0.017 to 0.09, and so have 80 % of the texels darker than "
-        "metals (a wide ramp has their mean only). Plateaus over black diffuse are not judged: a grey metal "
-        "stored linear has the same codes. A warning where there is no diffuse picture, and where all of it "
-        "lies below the forbidden zone: F0 0.02 to 0.03 encoded twice has the codes 109 to 120. Plateaus "
-        "that the material which the file names explains, or whose three codes are those of a gem (diamond: "
-        "115 115 117), are not counted.",
+        "At least 80 % of the area of achromatic non-metal plateaus has codes 105 to 155, whose second decoding is an ordinary dielectric F0 of 0.017 to 0.09, and so have 80 % of the texels darker than "
+        "metals (a wide ramp has their mean only). Plateaus over black diffuse are not judged: a grey metal stored linear has the same codes. A warning where there is no diffuse picture, and where all of it "
+        "lies below the forbidden zone: F0 0.02 to 0.03 encoded twice has the codes 109 to 120. Plateaus that the material which the file names explains, or whose three codes are those of a gem (diamond: 115 115 117), are not counted.",
     .why = "One conversion too many in the export chain.",
     .example = "An sRGB texture read as linear and encoded on writing.",
     .fix = "Remove one of the two conversions.",

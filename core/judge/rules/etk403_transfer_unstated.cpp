@@ -14,8 +14,7 @@ constinit const Rule etk403_transfer_unstated{
     .needs = {Need::bytes_b, Need::regions, Need::named},
     .source = "Schueler's table (exponent 1/2.2) against Hoffman's (sRGB): 0.02 is code 44 or 39",
     .what =
-        "No transfer function was stated, and the plateaus of at least two named dielectrics lie nearer to "
-        "the table of exponent 1/2.2 than to that of sRGB.",
+        "No transfer function was stated, and the plateaus of at least two named dielectrics lie nearer to the table of exponent 1/2.2 than to that of sRGB.",
     .why = "The two differ by up to 5 codes in the range of dielectrics.",
     .example = "Codes copied from an article that uses a plain power.",
     .fix = "State transfer = \"power-2.2\", or re-encode.",

@@ -14,13 +14,10 @@ constinit const Rule etk404_linear8_comb{
                    {"min_values", 4096, 4096, "", "fewer dark values are not judged"},
                    {"codes", 8, 8, "", "least number of distinct dark codes"}},
     .source =
-        "Comb share 1.0000 for re-encoded sources, 0.39 to 0.59 for untouched smooth textures; 183 of 256 "
-        "codes survive (etak)",
+        "Comb share 1.0000 for re-encoded sources, 0.39 to 0.59 for untouched smooth textures; 183 of 256 codes survive (etak)",
     .what =
-        "At least 4,096 values with code 100 or less and at least 8 distinct ones, of which 99.9 % are among "
-        "the 33 codes that an 8-bit linear source reaches. A code with more than a quarter of the dark "
-        "values is left out: it is a flat area, such as leather of one F0, and would outweigh all others. "
-        "One finding per picture and tile.",
+        "At least 4,096 values with code 100 or less and at least 8 distinct ones, of which 99.9 % are among the 33 codes that an 8-bit linear source reaches. A code with more than a quarter of the dark "
+        "values is left out: it is a flat area, such as leather of one F0, and would outweigh all others. One finding per picture and tile.",
     .why = "Dark tones were quantised before the curve: steps of up to 13 codes, which show as bands.",
     .example = "A texture converted to linear 8 bits for editing and back.",
     .fix = "Edit in 16 bits or float.",

@@ -10,8 +10,7 @@ constinit const Rule etk405_linear8_f0{
     .severity = {Severity::warning, Severity::error},
     .needs = {Need::header},
     .source =
-        "Largest half-step error at F0 0.02 / 0.04 / 0.08: linear 9.8 / 4.9 / 2.5 %, sRGB 2.3 / 1.7 / 1.3 %, "
-        "exponent 2.2 2.6 / 1.9 / 1.4 % (etak)",
+        "Largest half-step error at F0 0.02 / 0.04 / 0.08: linear 9.8 / 4.9 / 2.5 %, sRGB 2.3 / 1.7 / 1.3 %, exponent 2.2 2.6 / 1.9 / 1.4 % (etak)",
     .what = "F0 is declared to be linear, by the file, the layout or the settings, and stored in 8 bits.",
     .why = "F0 of dielectrics is 5 to 20 of 255 steps then, wrong by up to 10 %.",
     .example = "An engine set to import specular as linear data.",

@@ -10,11 +10,9 @@ constinit const Rule etk406_posterised{
     .severity = {Severity::info, Severity::warning},
     .needs = {Need::bytes_a, Need::bytes_b},
     .source =
-        "etak (proposed); at least 8 steps of similar width are asked for, because flat artwork of a few "
-        "colours is no mistake",
+        "etak (proposed); at least 8 steps of similar width are asked for, because flat artwork of a few colours is no mistake",
     .what =
-        "Diffuse or F0 (green) is smooth along 80 % of neighbouring texels, and uses less than a quarter of "
-        "the codes between its 1st and 99th percentile, in at least 8 steps of similar width. One finding "
+        "Diffuse or F0 (green) is smooth along 80 % of neighbouring texels, and uses less than a quarter of the codes between its 1st and 99th percentile, in at least 8 steps of similar width. One finding "
         "per picture and tile. Fewer levels of F0 are what a few materials have.",
     .why = "Bands show in gradients.",
     .example = "A texture saved with a palette, or quantised by a video codec.",

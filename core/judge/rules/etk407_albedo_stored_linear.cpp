@@ -11,8 +11,7 @@ constinit const Rule etk407_albedo_stored_linear{
     .needs = {Need::header},
     .source = "etak: dark albedo is legal, so brightness alone says nothing",
     .what =
-        "The diffuse file declares a linear colour space while its codes are taken as sRGB. ETK404 judges "
-        "the histogram.",
+        "The diffuse file declares a linear colour space while its codes are taken as sRGB. ETK404 judges the histogram.",
     .why = "Codes and curve do not match.",
     .example = "An albedo saved from a linear working space with its tag.",
     .fix = "Convert to sRGB on export, or remove a wrong tag.",

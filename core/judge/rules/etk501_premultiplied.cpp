@@ -16,11 +16,9 @@ constinit const Rule etk501_premultiplied{
                    {"share", 99.9, 99.9, "%", "of them with max(RGB) at most alpha + 1"},
                    {"correlation", 0.9, 0.9, "", "between max(RGB) and alpha"}},
     .source =
-        "Premultiplied: share 1.000, correlation 0.96 to 0.99; straight: share 0.20 to 0.93, correlation "
-        "within 0.02 (etak). glTF: texels must not be premultiplied",
+        "Premultiplied: share 1.000, correlation 0.96 to 0.99; straight: share 0.20 to 0.93, correlation within 0.02 (etak). glTF: texels must not be premultiplied",
     .what =
-        "Over at least 256 texels with alpha 9 to 246: max(RGB) is at most alpha + 1 for 99.9 % of them and "
-        "the correlation of the two is 0.9 or more. Metals and black diffuse (code 2 or less) are not "
+        "Over at least 256 texels with alpha 9 to 246: max(RGB) is at most alpha + 1 for 99.9 % of them and the correlation of the two is 0.9 or more. Metals and black diffuse (code 2 or less) are not "
         "judged: black stays black, whatever it is multiplied by.",
     .why = "The engine multiplies again: dark halos around cut-outs.",
     .example = "A picture saved by a compositor that works premultiplied.",

@@ -11,8 +11,7 @@ constinit const Rule etk502_alpha_fringe{
     .needs = {Need::bytes_a},
     .source = "Bilinear filtering and mips read hidden texels",
     .what =
-        "A texel of alpha 0 within 2 texels of a visible one differs from the nearest visible one by more "
-        "than 16 codes.",
+        "A texel of alpha 0 within 2 texels of a visible one differs from the nearest visible one by more than 16 codes.",
     .why = "Filtering mixes the hidden colour into the edge: a dark or white halo.",
     .example = "A leaf on black: the colour under alpha 0 is black.",
     .fix = "Let the colour bleed outwards under alpha 0.",

@@ -11,8 +11,7 @@ constinit const Rule etk503_alpha_constant{
     .needs = {Need::bytes_a},
     .source = "OpenImageIO, maketx --opaque-detect",
     .what =
-        "Alpha is 255 everywhere (information; pages of an atlas are not judged) or 0 everywhere (error). "
-        "One finding per file.",
+        "Alpha is 255 everywhere (information; pages of an atlas are not judged) or 0 everywhere (error). One finding per file.",
     .why = "Alpha 255 everywhere is a channel for nothing; alpha 0 everywhere is an invisible object.",
     .example = "Alpha slot left empty on export.",
     .fix = "Leave the channel out, or fill it.",

@@ -13,15 +13,11 @@ constinit const Rule etk504_mip_bleed{
     .parameters = {{"mips", 4, 4, "levels", "that must be clean where the layout does not say"},
                    {"difference", 2, 2, "/255", "largest linear difference"}},
     .source =
-        "Tiles with gutter g stay clean up to level log2(g) + 1, and power-of-two aligned ones to their "
-        "alignment; then they jump by up to 0.455 at once (etak)",
+        "Tiles with gutter g stay clean up to level log2(g) + 1, and power-of-two aligned ones to their alignment; then they jump by up to 0.455 at once (etak)",
     .what =
-        "Atlas: in a box mip chain of the page some texel whose centre lies in the tile differs by more than "
-        "2/255 (linear) from that of the tile with its edge repeated, up to level 4 or the one the layout "
-        "promises.",
+        "Atlas: in a box mip chain of the page some texel whose centre lies in the tile differs by more than 2/255 (linear) from that of the tile with its edge repeated, up to level 4 or the one the layout promises.",
     .why =
-        "The neighbour shines through at a distance; a metal beside a dielectric bleeds straight into the "
-        "forbidden zone.",
+        "The neighbour shines through at a distance; a metal beside a dielectric bleeds straight into the forbidden zone.",
     .example = "Tiles packed edge to edge at odd positions.",
     .fix = "Align tiles to 2^level, or give them a gutter of 2^(level - 1) texels.",
     .check = [](RuleCheck& check) {

@@ -15,15 +15,12 @@ constinit const Rule etk601_coverage{
     .severity = Severity::error,
     .needs = {Need::material},
     .source =
-        "etak f0 refuses the same data, by the same limit; Filament's tool takes short data in silence "
-        "(etak)",
+        "etak f0 refuses the same data, by the same limit; Filament's tool takes short data in silence (etak)",
     .what =
-        "The data hold less than 95 % of the luminous weight, so that etak f0 gives no colour for them "
-        "(error; of a dataset beside the preferred one a warning), or more, but not all of 380 to 780 nm (a "
+        "The data hold less than 95 % of the luminous weight, so that etak f0 gives no colour for them (error; of a dataset beside the preferred one a warning), or more, but not all of 380 to 780 nm (a "
         "remark, with the share that is missing).",
     .why =
-        "What is not there is guessed by holding the end values. Past 95 % that moves a colour by less than "
-        "instruments differ; below, it is a guess.",
+        "What is not there is guessed by holding the end values. Past 95 % that moves a colour by less than instruments differ; below, it is a guess.",
     .example = "An infrared measurement used for a colour.",
     .fix = "Use another dataset, or complete the table.",
     .check = [](RuleCheck& check) {

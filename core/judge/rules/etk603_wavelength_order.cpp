@@ -13,8 +13,7 @@ constinit const Rule etk603_wavelength_order{
     .needs = {Need::material},
     .source = "etak",
     .what =
-        "A wavelength stands twice with different values, or is not a positive number; in a material file "
-        "also: the rows do not ascend.",
+        "A wavelength stands twice with different values, or is not a positive number; in a material file also: the rows do not ascend.",
     .why = "Which of the two values holds is not known.",
     .example = "Two tables pasted one behind the other.",
     .fix = "Remove one of the rows.",

@@ -12,8 +12,7 @@ constinit const Rule etk604_nk_range{
     .needs = {Need::material},
     .source = "etak: no solid or liquid has n above 20 or k above 50 in the visible range",
     .what =
-        "n below 0, or 0 without k, k below 0 or reflectance outside of 0 to 1 at any wavelength; n above 20 "
-        "or k above 50 between 360 and 830 nm (in the infrared gold passes 50).",
+        "n below 0, or 0 without k, k below 0 or reflectance outside of 0 to 1 at any wavelength; n above 20 or k above 50 between 360 and 830 nm (in the infrared gold passes 50).",
     .why = "Columns are mixed up, or a number lost its decimal point.",
     .example = "k given as percent.",
     .fix = "Compare with the source.",

@@ -14,8 +14,7 @@ constinit const Rule etk605_unit_suspect{
     .needs = {Need::material},
     .source = "etak",
     .what =
-        "The wavelengths do not reach into 300 to 900 nm. Wider limits, such as 10 to 50,000 nm, would let a "
-        "table of gold in micrometres pass that runs to 25.",
+        "The wavelengths do not reach into 300 to 900 nm. Wider limits, such as 10 to 50,000 nm, would let a table of gold in micrometres pass that runs to 25.",
     .why = "Micrometres taken for nanometres, or the reverse: then nothing lies in the visible range.",
     .example = "A page in micrometres imported as nanometres.",
     .fix = "State the unit of the source.",

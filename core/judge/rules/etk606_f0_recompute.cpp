@@ -17,8 +17,7 @@ constinit const Rule etk606_f0_recompute{
     .parameters = {{"difference", 5e-4, 5e-4, "", "largest difference of a linear channel"}},
     .source = "etak; Hoffman's own bytes are 1 off",
     .what =
-        "A stored F0 differs by more than 5e-4 from what the preferred dataset gives, or stored codes by "
-        "more than 1.",
+        "A stored F0 differs by more than 5e-4 from what the preferred dataset gives, or stored codes by more than 1.",
     .why = "The data were changed after F0 was computed, or it was computed under another policy.",
     .example = "An F0 copied from an article beside newer n and k.",
     .fix = "Compute again: etak f0 FILE.",

@@ -11,9 +11,7 @@ constinit const Rule etk607_reference_missing{
     .needs = {Need::material},
     .source = "Practice of refractiveindex.info and physicallybased.info",
     .what =
-        "A dataset of a material file that names neither DOI nor URL nor the collection and page it came "
-        "through, or no licence (error), or does not describe the sample (warning: many published tables do "
-        "not say).",
+        "A dataset of a material file that names neither DOI nor URL nor the collection and page it came through, or no licence (error), or does not describe the sample (warning: many published tables do not say).",
     .why = "A number that nobody can look up cannot be trusted, nor passed on.",
     .example = "A material typed in from a slide.",
     .fix = "Add doi, url or via, licence and sample.",

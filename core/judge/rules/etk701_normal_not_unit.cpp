@@ -17,13 +17,10 @@ constinit const Rule etk701_normal_not_unit{
                     "share of texels with a wrong length from which it is a finding"}},
     .source = "glTF 2.0, 3.9.3: normals are unit vectors; rounding to 8 bits makes at most 0.9 codes",
     .what =
-        "The length of 2 % of the texels is more than 2.5 codes of 127.5 away from 1: found for lengths off "
-        "by 4 codes on 5 % of the texels. Not where another rule says why (ETK704, ETK706, ETK708, ETK710), "
-        "nor where z is left to the shader (blue all 0, or all 255). Of maps above a million texels evenly "
-        "spread bands of 16 rows are looked at, by all 7xx rules.",
+        "The length of 2 % of the texels is more than 2.5 codes of 127.5 away from 1: found for lengths off by 4 codes on 5 % of the texels. Not where another rule says why (ETK704, ETK706, ETK708, ETK710), "
+        "nor where z is left to the shader (blue all 0, or all 255). Of maps above a million texels evenly spread bands of 16 rows are looked at, by all 7xx rules.",
     .why =
-        "Programs that do not normalise shade such texels too dark or too bright, and those that do not "
-        "store z get another normal.",
+        "Programs that do not normalise shade such texels too dark or too bright, and those that do not store z get another normal.",
     .example = "Two normal maps blended by a layer mode for colours.",
     .fix = "Normalise the map, or blend by a mode for normals (reoriented, whiteout).",
     .check = [](RuleCheck& check) {

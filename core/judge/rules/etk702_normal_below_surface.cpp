@@ -12,12 +12,10 @@ constinit const Rule etk702_normal_below_surface{
     .parameters = {{"share", 0.001, 0.0001, "", "share of texels from which it is a finding"}},
     .source = "glTF 2.0, 3.9.3: z of a tangent-space normal is at least 0",
     .what =
-        "Blue is below code 127, which is z below 0, on 0.1 % of the texels: found from there on. An error "
-        "from 5 %.",
+        "Blue is below code 127, which is z below 0, on 0.1 % of the texels: found from there on. An error from 5 %.",
     .why = "No light can fall on such a texel of a surface that is seen: it is black, or shines from behind.",
     .example =
-        "A map of object-space normals in the slot for tangent space; a cage that the high-detail model "
-        "pierces.",
+        "A map of object-space normals in the slot for tangent space; a cage that the high-detail model pierces.",
     .fix = "Bake again in tangent space, with a larger cage; single texels can be mirrored to z above 0.",
     .check = [](RuleCheck& check) {
       for_each_map(check, FileRole::normal, [&](const MapEvidence& map) {

@@ -18,13 +18,10 @@ constinit const Rule etk703_normal_green_flipped{
     .severity = Severity::error,
     .needs = {Need::maps},
     .source =
-        "A surface's slope to the right changes downwards as its slope downwards changes to the right "
-        "(equality of mixed derivatives)",
+        "A surface's slope to the right changes downwards as its slope downwards changes to the right (equality of mixed derivatives)",
     .what =
-        "The name (NormalDX, _nor_gl, Unreal's and Unity's words), or glTF, which asks for OpenGL's, says "
-        "one convention and the relief is of the other: by the twist of the map itself, whose two mixed "
-        "derivatives have equal signs for DirectX and opposite ones for OpenGL, or by the height map beside. "
-        "Found from 64 texels that are twisted by 1.5 codes, where the two agree to 50 %; a warning below 70 "
+        "The name (NormalDX, _nor_gl, Unreal's and Unity's words), or glTF, which asks for OpenGL's, says one convention and the relief is of the other: by the twist of the map itself, whose two mixed "
+        "derivatives have equal signs for DirectX and opposite ones for OpenGL, or by the height map beside. Found from 64 texels that are twisted by 1.5 codes, where the two agree to 50 %; a warning below 70 "
         "%. Ridges along the axes alone have no twist and need the height map.",
     .why = "What stands out seems hollow when the light comes from above or below.",
     .example = "A map downloaded as NormalDX and renamed for a glTF export.",

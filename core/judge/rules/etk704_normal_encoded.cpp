@@ -11,8 +11,7 @@ constinit const Rule etk704_normal_encoded{
     .needs = {Need::maps},
     .source = "glTF 2.0, 3.9.3: the texture is linear; unit length is the evidence",
     .what =
-        "More than half of the texels have another length than 1, and undoing one of the sRGB conversions "
-        "leaves a tenth at most. Found from the first conversion on, of a map of one colour too.",
+        "More than half of the texels have another length than 1, and undoing one of the sRGB conversions leaves a tenth at most. Found from the first conversion on, of a map of one colour too.",
     .why = "All normals lean to one side, and lighting has an edge at every UV seam.",
     .example = "An editor of pictures that works in linear light and saves every picture as sRGB.",
     .fix = "Undo the conversion, and treat normal maps as plain data.",

@@ -12,13 +12,10 @@ constinit const Rule etk706_normal_shrunk{
     .needs = {Need::maps},
     .source = "The mean of 2 x 2 normals whose neighbours lie d apart lacks d^2 / 32 per axis; Toksvig 2005",
     .what =
-        "Texels are short in proportion to how much their neighbours differ, by a quarter of what shrinking "
-        "by 2 does or more, and 0.1 % on the weighted average (0.75 % in maps of few colours); or, in noise "
-        "as fine as the texels, 30 % of them are too short and hardly one too long. Found from a shrinking "
-        "by 2 of maps whose neighbours then lie 10 degrees apart.",
+        "Texels are short in proportion to how much their neighbours differ, by a quarter of what shrinking by 2 does or more, and 0.1 % on the weighted average (0.75 % in maps of few colours); or, in noise "
+        "as fine as the texels, 30 % of them are too short and hardly one too long. Found from a shrinking by 2 of maps whose neighbours then lie 10 degrees apart.",
     .why =
-        "Programs that take z from x and y, as two-channel formats do, flatten the relief; others lose light "
-        "where it is rough.",
+        "Programs that take z from x and y, as two-channel formats do, flatten the relief; others lose light where it is rough.",
     .example = "A texture scaled by an editor of pictures, or mips taken for level 0.",
     .fix = "Normalise after scaling; what was lost in length belongs into roughness.",
     .check = [](RuleCheck& check) {

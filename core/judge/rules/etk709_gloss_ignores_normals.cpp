@@ -15,13 +15,10 @@ constinit const Rule etk709_gloss_ignores_normals{
     .source =
         "Toksvig 2005, Mipmapping Normal Maps: a mean normal of length m allows an exponent of m / (1 - m)",
     .what =
-        "In 5 % of the blocks of 4 x 4 texels the mean normal is shorter than 0.9 and the highlight more "
-        "than four times narrower than it allows, and roughness does not rise with what the mean normal "
-        "lacks (correlation at most 0.1). Found for roughness below 0.48 beside normals 26 degrees around "
-        "their mean.",
+        "In 5 % of the blocks of 4 x 4 texels the mean normal is shorter than 0.9 and the highlight more than four times narrower than it allows, and roughness does not rise with what the mean normal "
+        "lacks (correlation at most 0.1). Found for roughness below 0.48 beside normals 26 degrees around their mean.",
     .why =
-        "From afar the highlight of one texel flickers on and off, since mips average normals but keep the "
-        "gloss.",
+        "From afar the highlight of one texel flickers on and off, since mips average normals but keep the gloss.",
     .example = "Gloss painted flat over a rough relief.",
     .fix = "Raise roughness by what the normals vary, or let the mips do it.",
     .check = [](RuleCheck& check) {

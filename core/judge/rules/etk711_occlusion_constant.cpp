@@ -13,9 +13,7 @@ constinit const Rule etk711_occlusion_constant{
     .needs = {Need::maps},
     .source = "etak",
     .what =
-        "Every texel of an occlusion map, or of the channel that the name of a packed picture gives to "
-        "occlusion, has one code; a warning where it is not white. White in a packed picture is no finding: "
-        "the channel is there anyway.",
+        "Every texel of an occlusion map, or of the channel that the name of a packed picture gives to occlusion, has one code; a warning where it is not white. White in a packed picture is no finding: the channel is there anyway.",
     .why = "White costs memory and does nothing; anything darker dims all ambient light on the surface.",
     .example = "A slot filled by the default of an exporter.",
     .fix = "Leave the occlusion map out.",

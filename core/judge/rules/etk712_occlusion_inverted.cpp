@@ -11,8 +11,7 @@ constinit const Rule etk712_occlusion_inverted{
     .needs = {Need::maps},
     .source = "glTF 2.0, 3.9.3: 1 is not occluded; most of a surface is open",
     .what =
-        "Half of the texels or more have codes below 64, most of them below 32, and a fifth at most codes "
-        "above 191: found for an inverted map of a surface half of which is open (its mean above 0.75).",
+        "Half of the texels or more have codes below 64, most of them below 32, and a fifth at most codes above 191: found for an inverted map of a surface half of which is open (its mean above 0.75).",
     .why = "Open surface gets no ambient light, and crevices shine.",
     .example = "A cavity or dirt mask exported as occlusion.",
     .fix = "Invert the map.",

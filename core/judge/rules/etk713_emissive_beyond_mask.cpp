@@ -11,12 +11,9 @@ constinit const Rule etk713_emissive_beyond_mask{
     .needs = {Need::maps},
     .source = "etak",
     .what =
-        "Half of the texels or more glow with codes 1 to 24 beside others of 64 and more, and less than 1 % "
-        "is black; or 1 % of the texels glow with codes above 16 where the base colour beside has alpha 0. "
-        "Found from a veil of 1 code.",
+        "Half of the texels or more glow with codes 1 to 24 beside others of 64 and more, and less than 1 % is black; or 1 % of the texels glow with codes above 16 where the base colour beside has alpha 0. Found from a veil of 1 code.",
     .why =
-        "The whole surface glows in the dark, most of all with the exposure of a night scene; what is cut "
-        "out leaves a bright fringe in mips.",
+        "The whole surface glows in the dark, most of all with the exposure of a night scene; what is cut out leaves a bright fringe in mips.",
     .example =
         "A mask of emission that was compressed as JPEG or multiplied with a grey that is not quite black.",
     .fix = "Subtract the veil, and multiply emission by its mask.",

@@ -45,8 +45,7 @@ std::vector<etak::Unmeasured> read_unmeasured(const std::string& file,
 // order of bytes that they need.
 std::string source_of(std::string_view bytes) {
   std::string out =
-      "#include \"core/material/embedded/library_words.h\"\nnamespace etak {\nconst std::size_t "
-      "library_bytes = " +
+      "#include \"core/material/embedded/library_words.h\"\nnamespace etak {\nconst std::size_t library_bytes = " +
       std::to_string(bytes.size()) + ";\nconst std::uint64_t library_words[] = {\n";
   constexpr std::size_t word_bytes = sizeof(std::uint64_t), words_of_line = 8;
   for (std::size_t at = 0; at < bytes.size(); at += word_bytes) {

@@ -186,8 +186,7 @@ void append_dataset_table(std::string& out, const MaterialReport& report, const 
   for (const std::string_view title : {"8 bit", "Y", "Zone", "F82", "F82 tint", "Coverage", "Range, nm"})
     append(out, "<th scope=\"col\">", title, "</th>");
   out +=
-      "<th scope=\"col\" title=\"table rows inside 400–700 nm, and the largest gap there\">Samples "
-      "(gap)</th>";
+      "<th scope=\"col\" title=\"table rows inside 400–700 nm, and the largest gap there\">Samples (gap)</th>";
   out += "</tr></thead><tbody>\n";
   for (std::size_t i = 0; i < report.results.size(); ++i)
     append_dataset_row(out, report.material.datasets[i], report.results[i], i == report.material.preferred);

@@ -46,8 +46,7 @@ void append_spectrum_gradient(std::string& out) {
   const Xyz white = to_xyz(make_quadrature(Method::nm1, Viewing{}).white());
   const Mat3 to_rgb_matrix = xyz_to_rgb(RgbSpace::srgb, white, white);
   out +=
-      "<svg width=\"0\" height=\"0\" aria-hidden=\"true\" class=\"hidden\"><defs><linearGradient "
-      "id=\"spectrum\">";
+      "<svg width=\"0\" height=\"0\" aria-hidden=\"true\" class=\"hidden\"><defs><linearGradient id=\"spectrum\">";
   for (int nm = grid_first_nm; nm <= grid_last_nm; nm += 10) {
     const auto& xyz = observer[static_cast<std::size_t>(nm - grid_first_nm)];
     Vec3 rgb = to_rgb_matrix * xyz;
@@ -76,13 +75,11 @@ void append_head(std::string& out, std::span<const MaterialReport> materials,
   }
   out += "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">";
   out +=
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>F0 of real "
-      "materials</title>\n<style>";
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>F0 of real materials</title>\n<style>";
   append(out, page_css, plot_css(), "</style></head>\n<body>\n");
   append_spectrum_gradient(out);
   out +=
-      "<header><h1>F0 of real materials</h1>\n<p class=\"lead\">Reflectance at normal incidence (F0) and at "
-      "81.8° (F82, cosine 1/7) of ";
+      "<header><h1>F0 of real materials</h1>\n<p class=\"lead\">Reflectance at normal incidence (F0) and at 81.8° (F82, cosine 1/7) of ";
   append(out, std::to_string(materials.size() - surfaces), " materials");
   if (surfaces > 0)
     append(out, ", and the diffuse colour of ", std::to_string(surfaces), " measured surfaces");
@@ -207,29 +204,21 @@ std::string f0_page(std::span<const MaterialReport> materials, const F0Options& 
   std::string out;
   append_head(out, materials, groups, options);
   out +=
-      "<section id=\"luminance\"><h2>Luminance and the forbidden zone</h2>\n<p>Few real materials have an F0 "
-      "with a luminance ";
+      "<section id=\"luminance\"><h2>Luminance and the forbidden zone</h2>\n<p>Few real materials have an F0 with a luminance ";
   out +=
-      "between 0.20 and 0.45 (semiconductors do); an authored value in there is most often a mistake. The "
-      "verdict is on the ";
+      "between 0.20 and 0.45 (semiconductors do); an authored value in there is most often a mistake. The verdict is on the ";
   out +=
-      "linear luminance Y, never on one channel. Measured surfaces are diffuse colours and no F0: they have "
-      "no verdict.</p>\n";
+      "linear luminance Y, never on one channel. Measured surfaces are diffuse colours and no F0: they have no verdict.</p>\n";
   append_luminance_strip(out, groups);
   out +=
-      "</section>\n<section id=\"table\"><h2>All materials</h2>\n<p>Preferred dataset of each. The ball is a "
-      "smooth "
-      "sphere of it under light that is the same from all sides: F0 in the middle, the reflectance of each "
-      "angle "
+      "</section>\n<section id=\"table\"><h2>All materials</h2>\n<p>Preferred dataset of each. The ball is a smooth sphere of it under light that is the same from all sides: F0 in the middle, the reflectance of each angle "
       "around it. Of the swatch beside it the narrow part is F82. ";
   out += "Spread is the largest ΔE<sub>2000</sub> between the preferred and another published dataset.</p>\n";
   append_summary_table(out, groups, context);
   out +=
-      "</section>\n<section id=\"materials\"><h2>Materials and their datasets</h2>\n<p>Each swatch is F0 of "
-      "one dataset, with F82 at its ";
+      "</section>\n<section id=\"materials\"><h2>Materials and their datasets</h2>\n<p>Each swatch is F0 of one dataset, with F82 at its ";
   out +=
-      "right. In the plots the preferred dataset is bold and its samples are dotted; the others are thin. "
-      "Curves end where the data end.</p>\n";
+      "right. In the plots the preferred dataset is bold and its samples are dotted; the others are thin. Curves end where the data end.</p>\n";
   for (const F0PageGroup& group : groups) {
     append(out, "<h3 id=\"", anchor("cards-", group.material_class), "\">", escape_html(group.title),
            "</h3>\n");

@@ -157,11 +157,10 @@ std::string models_table(bool legend, const std::string& search) {
                      std::string(row.title), std::string(row.note)}});
   std::string out = text_table(rows);
   if (legend)
-    append(out, "\n* default of its kind. D, F, V: terms; any three make a model by the name ", composed_id,
-           ",\nsuch as microfacet:ggx,f82-tint,smith-height. All models give f_r in 1/sr.\n"
-           "moving, refined dE2000: of the light of an environment in the picture that moves and in that at "
-           "rest, at "
-           "gloss 0.2, 0.5, 0.8\nand 1, mean over 15 pictures.\n");
+    append(
+        out, "\n* default of its kind. D, F, V: terms; any three make a model by the name ", composed_id,
+        ",\nsuch as microfacet:ggx,f82-tint,smith-height. All models give f_r in 1/sr.\n"
+        "moving, refined dE2000: of the light of an environment in the picture that moves and in that at rest, at gloss 0.2, 0.5, 0.8\nand 1, mean over 15 pictures.\n");
   return out;
 }
 

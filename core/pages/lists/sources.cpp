@@ -180,15 +180,9 @@ std::string sources_json(const std::vector<SourceRow>& rows) {
 
 std::string sources_markdown(const std::vector<SourceRow>& rows) {
   std::string out =
-      "# What the sources print, and what etak has\n\nMade by `etak sources --format markdown` from "
-      "`resources/sources.csv`. "
-      "Schüler is \"An Efficient and Physically Plausible\nReal-Time Shading Model\", Hoffman \"Physically "
-      "Based Shading\", TU "
-      "Graz its lecture \"Shading Models\". Reflectances are linear; 8-bit\ncodes stand in brackets, by a "
-      "power 1/2.2 for "
-      "Schüler and by the sRGB curve else. What is wrong in print says so; what etak leaves out\nstands "
-      "last, with the "
-      "reason.\n";
+      "# What the sources print, and what etak has\n\nMade by `etak sources --format markdown` from `resources/sources.csv`. Schüler is \"An Efficient and Physically Plausible\nReal-Time Shading Model\", Hoffman \"Physically "
+      "Based Shading\", TU Graz its lecture \"Shading Models\". Reflectances are linear; 8-bit\ncodes stand in brackets, by a power 1/2.2 for Schüler and by the sRGB curve else. What is wrong in print says so; what etak leaves out\nstands "
+      "last, with the reason.\n";
   for (const std::string_view table : {"metals", "dielectrics", "zone", "gloss", "energy", "display",
                                        "models", "cost", "formulas", "left out"}) {
     append(out, "\n## ", table,

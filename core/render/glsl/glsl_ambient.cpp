@@ -84,8 +84,7 @@ std::string GlslAmbient::samples(const std::string& seen) {
   return needs_cosine() + "  {\n  float sample_view = sqrt(clamp(nv, 0.0, 1.0)) * " +
          glsl_decimal(of.views - 1) + ";\n  int sample_row = min(int(sample_view), " + last +
          ");\n  sample_view -= float(sample_row);\n" + "  sample_row += " + row +
-         ";\n  vec3 seen = vec3(0.0);\n  vec3 along = viewer_tangent(n, v, nv);\n  vec3 across = cross(n, "
-         "along);\n" +
+         ";\n  vec3 seen = vec3(0.0);\n  vec3 along = viewer_tangent(n, v, nv);\n  vec3 across = cross(n, along);\n" +
          "  for (int i = 0; i < int(sample_count); ++i) {\n    vec4 s = " + between("i") +
          ";\n    vec3 share = " + between("i + int(sample_count)") +
          ".xyz;\n    vec3 axis = sample_axis(s.xyz, along, across, n, v);\n    seen += share * " + seen +

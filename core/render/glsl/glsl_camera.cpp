@@ -129,8 +129,7 @@ void seen_from_anywhere(GlslGlue& glue, const Scene& scene, const Camera& camera
   } else {
     glue.line("  vec3 place = plane_place(at, square_rows[0], square_rows[1], square_rows[2]);");
     glue.line(
-        "  float coverage = plane_coverage(place, camera_axes[2].z, square_rows[0], square_rows[1], "
-        "square_rows[2], pixel);");
+        "  float coverage = plane_coverage(place, camera_axes[2].z, square_rows[0], square_rows[1], square_rows[2], pixel);");
   }
   backdrop(glue, scene, camera);
   glue.line("  vec3 color = " + backdrop_name(scene) + ";\n  if (coverage > 0.0) {");

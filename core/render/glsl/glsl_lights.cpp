@@ -78,10 +78,10 @@ std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights, bo
       out.push_back(static_cast<float>(std::cos(light.inner_deg * degree)));
       out.push_back(static_cast<float>(std::cos(light.outer_deg * degree)));
     });
-    code += loop(of.size()) + arriving("spot") +
-            "\n    float share = spot_share(dot(to, spot_back[i]) / r, spot_cosines[i].x, spot_cosines[i].y);"
-            "\n    sum += " +
-            lit("to / r", framed) + " * point_irradiance(spot_intensity[i], r) * share;\n  }\n";
+    code +=
+        loop(of.size()) + arriving("spot") +
+        "\n    float share = spot_share(dot(to, spot_back[i]) / r, spot_cosines[i].x, spot_cosines[i].y);\n    sum += " +
+        lit("to / r", framed) + " * point_irradiance(spot_intensity[i], r) * share;\n  }\n";
   }
   constexpr std::pair<LightKind, const char*> rows[] = {{LightKind::directional, "directional lights"},
                                                         {LightKind::point, "point lights"},

@@ -253,8 +253,7 @@ std::string with_bindings(std::string_view text, bool vertex) {
   if (vertex && rest.find("gl_VertexID") != rest.npos) {
     replace("gl_VertexID", "vertex_index");
     out +=
-        "#ifdef VULKAN\n#define vertex_index gl_VertexIndex\n#else\n#define vertex_index "
-        "gl_VertexID\n#endif\n";
+        "#ifdef VULKAN\n#define vertex_index gl_VertexIndex\n#else\n#define vertex_index gl_VertexID\n#endif\n";
   }
   if (rest.find("gl_FragCoord.xy") != rest.npos) {
     replace("gl_FragCoord.xy", "pixel_place");

@@ -50,8 +50,7 @@ std::string with_words(std::string_view text, const Words& words, std::string_vi
 //   models   ids of the models whose sum it is
 std::string head(const std::string& models, ShaderLanguage language) {
   return "// etak_brdf(l, v): f_r in 1/sr of " + models + ", for linear red, green and blue.\n" +
-         "// l, v: unit vectors to the light and to the viewer in the surface's frame, normal +z, tangent "
-         "+x.\n" +
+         "// l, v: unit vectors to the light and to the viewer in the surface's frame, normal +z, tangent +x.\n" +
          "// What a light of irradiance E sends to the viewer is etak_brdf(l, v) * E * l.z.\n" +
          (language == ShaderLanguage::msl ? "// No Metal compiler has seen this text: it is tested as C++.\n"
                                           : "");

@@ -145,9 +145,9 @@ TextureUse texture_use(std::span<const std::string> defines) {
     else if (define == "ETAK_ALPHA_TEXTURE")
       out.fetch_alpha = true;
     else
-      throw Error::at(printable(define), "is no define that etak pack lists",
-                      "ETAK_DIFFUSE_TEXTURE, ETAK_SPECULAR_TEXTURE, ETAK_GLOSS_TEXTURE, ETAK_NO_DIFFUSE, "
-                      "ETAK_SCALAR_F0, ETAK_ALPHA_TEST, ETAK_ALPHA_BLEND or ETAK_ALPHA_TEXTURE");
+      throw Error::at(
+          printable(define), "is no define that etak pack lists",
+          "ETAK_DIFFUSE_TEXTURE, ETAK_SPECULAR_TEXTURE, ETAK_GLOSS_TEXTURE, ETAK_NO_DIFFUSE, ETAK_SCALAR_F0, ETAK_ALPHA_TEST, ETAK_ALPHA_BLEND or ETAK_ALPHA_TEXTURE");
   }
   return out;
 }

@@ -124,14 +124,9 @@ ErrorTimeFamily ambient_family(const ReportOptions& options) {
                   number(table.rows[best].errors[0], 2) + " dE off in the mean for " + table.rows[best].id +
                   "; a rough dielectric under small bright lights is where to look twice.";
   family.notes = {
-      "The albedo is right for any Fresnel form, so that a white surrounding has no error; what is left is "
-      "the shape of the "
-      "lobe, for which two round ones stand.",
-      "Errors are of linear light shown in sRGB with the brightest pixel white, over pixels that the ball "
-      "covers whole; "
-      "each model is compared with its own integral, so that rows do not compete.",
-      "Refined pictures, those at rest, are sampled from the lobe itself; `etak models` tells their error "
-      "for every model."};
+      "The albedo is right for any Fresnel form, so that a white surrounding has no error; what is left is the shape of the lobe, for which two round ones stand.",
+      "Errors are of linear light shown in sRGB with the brightest pixel white, over pixels that the ball covers whole; each model is compared with its own integral, so that rows do not compete.",
+      "Refined pictures, those at rest, are sampled from the lobe itself; `etak models` tells their error for every model."};
   family.tables = {std::move(table)};
   family.timed = {std::move(timings)};
   return family;

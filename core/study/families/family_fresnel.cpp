@@ -185,18 +185,11 @@ ErrorTimeFamily fresnel_family(const ReportOptions&) {
       {"glass, water, plastics", "dielectrics", "from_f0", "exact, and F0 is all it needs",
        "etak choose glass_bk7"}};
   family.notes = {
-      "The datasets are the library's own choice (tungsten and zinc, for one, not from electron-loss "
-      "spectra); with "
-      "Johnson and Christy for the noble and transition metals, Rakić for aluminum and Werner for tungsten "
-      "and zinc "
+      "The datasets are the library's own choice (tungsten and zinc, for one, not from electron-loss spectra); with Johnson and Christy for the noble and transition metals, Rakić for aluminum and Werner for tungsten and zinc "
       "Schlick's largest error is 0.2005 (chromium), F82's 0.0251.",
-      "Each form gets what a renderer would: F0, F82 or n and k integrated over the spectrum, fits per "
-      "channel by least squares, every angle alike. Where F0 is above 1 (gold's red in sRGB) there are no n "
-      "and k: "
+      "Each form gets what a renderer would: F0, F82 or n and k integrated over the spectrum, fits per channel by least squares, every angle alike. Where F0 is above 1 (gold's red in sRGB) there are no n and k: "
       "forms that need them, Lazányi's among them, miss what is above 1.",
-      "The order of the times depends on the compiler's flags: the square root of the exact forms is as "
-      "cheap "
-      "as a few multiplications only where it is vectorised."};
+      "The order of the times depends on the compiler's flags: the square root of the exact forms is as cheap as a few multiplications only where it is vectorised."};
   return family;
 }
 

@@ -216,8 +216,7 @@ ErrorTimeFamily hemisphere_family(const ReportOptions& options) {
   family.title = "Two-hemisphere specular";
   family.reference = "Schüler's CookTorranceSimplified integrated under two hemispheres of constant radiance";
   family.grid =
-      "5 reflectances from 0.02 to 0.9, 6 glosses, 7 view cosines from 1 to 0.05, 13 tilts and 5 azimuths of "
-      "the axis";
+      "5 reflectances from 0.02 to 0.9, 6 glosses, 7 view cosines from 1 to 0.05, 13 tilts and 5 azimuths of the axis";
   family.tables = {albedo_table(errors), share_table(errors)};
   TimedSet timings;
   for (const Form& form : forms) timings.cases.push_back(timed(form));
@@ -235,8 +234,7 @@ ErrorTimeFamily hemisphere_family(const ReportOptions& options) {
   const auto polished = measure(1, make_axes(37, 25), 120);
   const auto rms = [&](std::size_t form) { return number(std::sqrt(polished[form].share_square), 2); };
   family.advice =
-      "Use the corrected form with the width 1.8 2^(-6 g): it halves the error of the share on polished "
-      "surfaces (rms " +
+      "Use the corrected form with the width 1.8 2^(-6 g): it halves the error of the share on polished surfaces (rms " +
       rms(1) + " at g = 1, where a step has " + rms(0) +
       ") and never divides by 1 - g; never use the printed one.";
   family.picks = {{"light of a sky and a ground", "share", "wide", "never divides by 1 - g"}};
@@ -245,12 +243,9 @@ ErrorTimeFamily hemisphere_family(const ReportOptions& options) {
           number(value(forms[2], 0.02, 0, 1, 0, 1, 1), 3) + " against " +
           number(integrate(0, 1, axes, steps)[0].albedo, 2) +
           ") and the weight in [-1, 1] makes radiance negative below the horizon.",
-      "The share of polished surfaces changes within a degree or two of the axis: its rms at g = "
-      "1 depends on "
-      "where the few axes stand. Over 37 tilts and 25 azimuths it is " +
+      "The share of polished surfaces changes within a degree or two of the axis: its rms at g = 1 depends on where the few axes stand. Over 37 tilts and 25 azimuths it is " +
           rms(0) + " (corrected) and " + rms(1) +
-          " (1.8 2^(-6 g)); over 13 tilts, azimuths every 22.5 to 90 degrees make it 0.002 to 0.043 and "
-          "0.023 to 0.026. Figures of other sets of axes agree in their order, not in their digits.",
+          " (1.8 2^(-6 g)); over 13 tilts, azimuths every 22.5 to 90 degrees make it 0.002 to 0.043 and 0.023 to 0.026. Figures of other sets of axes agree in their order, not in their digits.",
       "Times are of the float formulas that shaders get, three channels, 4096 random inputs."};
   return family;
 }

@@ -325,10 +325,10 @@ void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTim
   family.tables.push_back(table);
   family.notes.push_back(
       std::string("OpenGL frames are timed ") +
-      (by_queries      ? "by timer queries"
-       : info.software ? "from call to finish, for the timer queries of a software "
-                         "rasteriser end before it has drawn"
-                       : "from call to finish: there are no timer queries here") +
+      (by_queries ? "by timer queries"
+       : info.software
+           ? "from call to finish, for the timer queries of a software rasteriser end before it has drawn"
+           : "from call to finish: there are no timer queries here") +
       "; medians of " + std::to_string(frames) + " frames in " + std::to_string(rounds) + " rounds." +
       (info.software ? " Not measured on a GPU: " + info.renderer + " draws on the CPU." : ""));
 }
@@ -352,15 +352,12 @@ ErrorTimeFamily image_family(const ReportOptions& options) {
   family.letter = "h";
   family.title = "The rendered sphere";
   const std::string side = std::to_string(gallery.side());
-  family.reference = "a sphere of " + side + " x " + side +
-                     " pixels with 4 x 4 rays each, F at every nanometre, with the model's own lobe, "
-                     "in "
-                     "double, so that only ways with one lobe are compared; lobes among themselves: with "
-                     "CookTorranceFull's";
+  family.reference =
+      "a sphere of " + side + " x " + side +
+      " pixels with 4 x 4 rays each, F at every nanometre, with the model's own lobe, in double, so that only ways with one lobe are compared; lobes among themselves: with CookTorranceFull's";
   family.grid =
       gallery.grid() +
-      "; three directional lights 50, 100 and 150 degrees from the viewer; exposed so that the "
-      "brightest pixel of CookTorranceFull is white; errors over pixels that the sphere covers whole";
+      "; three directional lights 50, 100 and 150 degrees from the viewer; exposed so that the brightest pixel of CookTorranceFull is white; errors over pixels that the sphere covers whole";
   if (options.cpu) {
     add_cpu_tables(gallery, options, family);
     family.advice = advice_of(family);
@@ -369,11 +366,9 @@ ErrorTimeFamily image_family(const ReportOptions& options) {
         {"pictures of glass, water, plastics", "dielectrics", "ggx-from-f0",
          "exact F, and F0 is all it needs", "etak choose glass_bk7"}};
     family.notes.push_back(
-        "CPU frames: single precision to sRGB codes, on one thread. Lights and viewer are far away, so that "
-        "F is computed once per light and frames differ by their lobes; with " +
+        "CPU frames: single precision to sRGB codes, on one thread. Lights and viewer are far away, so that F is computed once per light and frames differ by their lobes; with " +
         std::to_string(timed_lights) +
-        " lights these have most of the time. It is processor time of the thread, with quartiles over "
-        "rounds.");
+        " lights these have most of the time. It is processor time of the thread, with quartiles over rounds.");
   }
   family.notes.push_back(
       "FLIP at 67 pixels per degree, of the sRGB codes; mean over the judged pixels, those outside black.");

@@ -253,17 +253,10 @@ ErrorTimeFamily lobe_family(const ReportOptions& options) {
   family.picks = {{"surfaces in Schüler's manner", glossy.id, "beckmann-schlick",
                    "the cheapest lobe that is near the full technique at every gloss"}};
   family.notes = {
-      "Relative L1 is the integral of |f - f*| nl nv over all light and view over that of f* nl nv, albedo "
-      "bias "
-      "the same without the bars; the ratio is where f* nl is above 1 % of its peak and nv above 0.25.",
+      "Relative L1 is the integral of |f - f*| nl nv over all light and view over that of f* nl nv, albedo bias the same without the bars; the ratio is where f* nl is above 1 % of its peak and nv above 0.25.",
       "The techniques get F0 of the same n and k; the width of GGX is that of Beckmann, sqrt(2 / (e + 2)).",
-      "Schüler puts KelemenSzirmayKalos below Simplified: it lacks the minimum of G, and on the cards of "
-      "2009 each "
-      "operation took its time. Here both wait for one division, 1 / (4 lh^2) or min(lh, 2 nh least) / (4 lh "
-      "least "
-      "most), beside which the minima cost next to nothing, and the power of D takes most of either: they "
-      "differ by "
-      "less than two runs do, so that one may stand in front as well as the other.",
+      "Schüler puts KelemenSzirmayKalos below Simplified: it lacks the minimum of G, and on the cards of 2009 each operation took its time. Here both wait for one division, 1 / (4 lh^2) or min(lh, 2 nh least) / (4 lh least "
+      "most), beside which the minima cost next to nothing, and the power of D takes most of either: they differ by less than two runs do, so that one may stand in front as well as the other.",
       "Times are of the single-precision loops of " + std::string(batch_instruction_set()) +
           " over 4096 pairs of directions."};
   return family;

@@ -227,8 +227,7 @@ ErrorTimeFamily packer_family(const ReportOptions& options) {
   family.letter = "i";
   family.title = "Packing and compressing";
   family.reference =
-      "the smallest page known for each set of rectangles (for the page cut up: the page); the bytes of PNG "
-      "level smallest";
+      "the smallest page known for each set of rectangles (for the page cut up: the page); the bytes of PNG level smallest";
   family.grid = "four sets of 250 rectangles, one square page, no rotation; three pages of " +
                 std::string(options.full ? "1024 x 1024" : "512 x 512") +
                 " pixels with four channels, made by formula";
@@ -243,8 +242,7 @@ ErrorTimeFamily packer_family(const ReportOptions& options) {
                   number(error(0, usual), 2) + " points of density short of the best known, effort 1 by " +
                   number(error(0, "effort_1"), 2) + ") with PNG level fast, and ship with effort 300 (" +
                   number(error(0, "effort_300"), 2) +
-                  ") and level small: smallest takes several times as "
-                  "long for the last " +
+                  ") and level small: smallest takes several times as long for the last " +
                   number(100 * (1 - 1 / error(1, "small")), 2) + " % of the bytes.";
   family.picks = {{"an atlas while working", "effort", usual, "the default of etak pack"},
                   {"an atlas to ship", "effort", "effort_300", "paid for once"},

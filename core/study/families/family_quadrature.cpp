@@ -356,8 +356,7 @@ ErrorTimeFamily quadrature_family(const ReportOptions&) {
   family.letter = "a";
   family.title = "Spectral quadrature";
   family.reference =
-      "the exact integral over all knots of data, observer and illuminant; for stiff spectra a sum at 0.001 "
-      "nm";
+      "the exact integral over all knots of data, observer and illuminant; for stiff spectra a sum at 0.001 nm";
   family.grid = std::to_string(samples.size()) +
                 " datasets of the library that give F0, n and k linear in wavelength, CIE 1931 2°, D65";
   ErrorTimeTable library = library_table(all, shared, truth, family.timed);
@@ -370,8 +369,7 @@ ErrorTimeFamily quadrature_family(const ReportOptions&) {
   family.advice =
       "Keep the 1 nm sum: its error of " + number(row("1nm").errors[0], 2) + " moves " +
       (moved == 0 ? "no 8-bit code" : "the 8-bit codes of " + number(moved, 3) + " materials") +
-      " over the library, and a page takes longer to be read; where lines finer than a nanometre would "
-      "get lost in it, it gives way to exact by itself.";
+      " over the library, and a page takes longer to be read; where lines finer than a nanometre would get lost in it, it gives way to exact by itself.";
   const auto stiff = std::make_shared<const std::vector<Sample>>(stiff_samples());
   family.tables = {std::move(library), stiff_table(all, stiff, family.timed)};
   family.picks = {{"a colour from n and k", "library", "1nm", "no 8-bit code of the library needs more"},
@@ -380,12 +378,8 @@ ErrorTimeFamily quadrature_family(const ReportOptions&) {
   family.notes = {
       "Against the 1 nm sum instead of the exact integral, over the same datasets: " + against_1nm(samples) +
           ".",
-      "Auto takes the coarsest of 20, 10, 5, 1 nm and exact whose estimated error of X, Y, Z is within the "
-      "bound; "
-      "the estimate comes from where the data bend, not from trying (resources/doc/f0.md).",
-      "Times are of the whole solve: coverage, interpolation, Fresnel at 0 degrees and at cos 1/7, sum, "
-      "colour. "
-      "Pages are read from memory."};
+      "Auto takes the coarsest of 20, 10, 5, 1 nm and exact whose estimated error of X, Y, Z is within the bound; the estimate comes from where the data bend, not from trying (resources/doc/f0.md).",
+      "Times are of the whole solve: coverage, interpolation, Fresnel at 0 degrees and at cos 1/7, sum, colour. Pages are read from memory."};
   return family;
 }
 

@@ -221,10 +221,10 @@ ErrorTimeFamily quantisation_family(const ReportOptions&) {
   family.picks = {{"F0 in a texture of 8 bits", "f0", "srgb8",
                    "no visible step; 16 bits are closer, for twice the bytes"},
                   {"gloss in a texture", "gloss", "gloss8", "the same relative step everywhere"}};
-  family.notes = {"One code of gloss multiplies the exponent by " + number(exponent_of_gloss(1 / 255.0), 5) +
-                      "; g = 0 and g = 1 are codes.",
-                  "Half a step is the most that rounding moves a value, as a share of it. Times are of a "
-                  "float to a code with the C library's functions; tables of 256 entries are faster."};
+  family.notes = {
+      "One code of gloss multiplies the exponent by " + number(exponent_of_gloss(1 / 255.0), 5) +
+          "; g = 0 and g = 1 are codes.",
+      "Half a step is the most that rounding moves a value, as a share of it. Times are of a float to a code with the C library's functions; tables of 256 entries are faster."};
   return family;
 }
 

@@ -179,9 +179,7 @@ ErrorTimeFamily sparse_table_family(const ReportOptions&) {
   family.picks = {{"tables of 20 rows or fewer", "points_10", "pchip_nk", "curves between few rows",
                    "etak f0 FILE --interpolation pchip"}};
   family.notes = {
-      "R between the rows of n and k is not much worse than n and k themselves: what counts is how many rows "
-      "there "
-      "are. etak interpolates n and k, because F82 and other media follow from them.",
+      "R between the rows of n and k is not much worse than n and k themselves: what counts is how many rows there are. etak interpolates n and k, because F82 and other media follow from them.",
       "Times are of the whole solve."};
   return family;
 }

@@ -133,9 +133,7 @@ ErrorTimeFamily transfer_family(const ReportOptions&) {
   family.reference = "IEC 61966-2-1 (sRGB), piecewise, in double";
   family.grid = "encoding: 100,001 values in [0, 1]; decoding: all 256 codes";
   family.advice =
-      "Use the exact curve, from a table of 256 entries or the GPU's sRGB formats: the shortcuts move dark "
-      "dielectrics "
-      "by whole codes, and 2.2 in with 0.45 out is not even its own inverse.";
+      "Use the exact curve, from a table of 256 entries or the GPU's sRGB formats: the shortcuts move dark dielectrics by whole codes, and 2.2 in with 0.45 out is not even its own inverse.";
   family.tables = {encode_table(family.timed), decode_table(family.timed)};
   family.picks = {
       {"codes of linear light", "encode", "srgb", "shortcuts move dark dielectrics by whole codes"},

@@ -46,8 +46,7 @@ CheckedFile lone_set(const CheckTarget& target, const std::string& missing, cons
     finding.value = missing;
     finding.limit = "the whole set";
     finding.fix =
-        "Add the missing picture under the name of its set, or say in [names] of etak.toml what "
-        "the endings of the names mean; etak validate --list-files shows what was understood.";
+        "Add the missing picture under the name of its set, or say in [names] of etak.toml what the endings of the names mean; etak validate --list-files shows what was understood.";
   }
   return file;
 }

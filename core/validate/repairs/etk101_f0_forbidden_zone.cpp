@@ -54,8 +54,7 @@ RepairOutcome undo_zone(const RepairBench& bench) {
                      : "undid the second encoding of the zone's plateaus";
   if (left > 0 || undone == 0)
     out.left =
-        "what the surface is meant to be is not known: no dielectric encoded twice has this colour, and no "
-        "material is named";
+        "what the surface is meant to be is not known: no dielectric encoded twice has this colour, and no material is named";
   return out;
 }
 

@@ -73,8 +73,7 @@ TEST_CASE("a job's numbers and words keep to the ranges and words of the table")
 }
 
 TEST_CASE(
-    "jobs name settings as the command line does; older names work with a remark, and not beside the newer "
-    "ones") {
+    "jobs name settings as the command line does; older names work with a remark, and not beside the newer ones") {
   const std::string place = "dir/jobs.json#/jobs/0/";
   CHECK(jobs_with("gloss-channel", R"("roughness")") ==
         jobs_with("gloss", R"("roughness")", {place + "gloss: is now called gloss-channel"}));

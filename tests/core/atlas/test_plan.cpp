@@ -132,20 +132,19 @@ TEST_CASE("what fits no page is named with its gutter, and with what would hold 
   CHECK(fault({region(0, 300, 10)}, plan_options(256)) ==
         "m0: 300 x 10 texels; expected at most 256 a side (page 300 would do)");
   // Powers of two up to 300 end at 256.
-  CHECK(fault({region(0, 20, 20), region(1, 280, 10)}, plan_options(300)) ==
-        "m1: 280 x 10 texels, 282 x 12 with a gutter of 1; expected at most 256 a side (page form free would "
-        "do)");
+  CHECK(
+      fault({region(0, 20, 20), region(1, 280, 10)}, plan_options(300)) ==
+      "m1: 280 x 10 texels, 282 x 12 with a gutter of 1; expected at most 256 a side (page form free would do)");
   PlanOptions one = plan_options(64);
   one.rects.form = PageForm::free;
   one.gutter = 8;
-  CHECK(fault({region(0, 60, 10)}, one) ==
-        "m0: 60 x 10 texels, 76 x 26 with a gutter of 8; expected at most 64 a side (page 76 or gutter 0 "
-        "would do)");
+  CHECK(
+      fault({region(0, 60, 10)}, one) ==
+      "m0: 60 x 10 texels, 76 x 26 with a gutter of 8; expected at most 64 a side (page 76 or gutter 0 would do)");
   one.gutter = 0;
-  CHECK(fault({region(0, 50, 50), region(1, 50, 51), region(2, 50, 50)}, one) ==
-        "3 regions, the largest of m1: 50 x 51 texels, of together 7550 texels do not fit one page; expected "
-        "at "
-        "most 64 x 64 (page form mixed or a larger page would do)");
+  CHECK(
+      fault({region(0, 50, 50), region(1, 50, 51), region(2, 50, 50)}, one) ==
+      "3 regions, the largest of m1: 50 x 51 texels, of together 7550 texels do not fit one page; expected at most 64 x 64 (page form mixed or a larger page would do)");
 }
 
 TEST_CASE("pages of free sides are whole blocks of 4 texels where that takes less than 2 percent more") {

@@ -40,8 +40,7 @@ TEST_CASE("links that lead out of a document's folder are told with their target
   };
   CHECK(refused(scene, "leak.png") ==
         scene + "/leak.png: is a link to " + whole +
-            "/secret.png, out of its folder; expected a file of that folder, or "
-            "follow links");
+            "/secret.png, out of its folder; expected a file of that folder, or follow links");
   CHECK(contains(refused(scene, "twice.png"), "/twice.png: is a link to " + whole + "/secret.png"));
   CHECK(contains(refused(scene, "far/b.png"), "/far: is a link to " + whole + "/near"));
   CHECK(contains(refused(scene, "maps/../leak.png"), "leak.png: is a link"));

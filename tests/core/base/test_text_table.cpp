@@ -8,8 +8,7 @@
 using namespace etak;
 
 TEST_CASE(
-    "A text table has columns as wide as their widest cell, but for the last cell of a row, and no blanks at "
-    "an end") {
+    "A text table has columns as wide as their widest cell, but for the last cell of a row, and no blanks at an end") {
   const std::vector<TextRow> rows{{{"id", "Y     ", "note"}, "   "},
                                   {{"gold", "0.7", ""}, "## "},
                                   {{"a", "refused: for a reason that is longer than any column"}, "   "}};

@@ -43,8 +43,7 @@ double peak(const Model& model, const std::vector<double>& values, Random& rando
 }  // namespace
 
 TEST_CASE(
-    "float, vector lanes and their form for far lights agree with double on 20,000 random inputs of every "
-    "model") {
+    "float, vector lanes and their form for far lights agree with double on 20,000 random inputs of every model") {
   constexpr std::size_t per_set = 100, sets = 200;
   for (const Model& model : models()) {
     Random random(7);

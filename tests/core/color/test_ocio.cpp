@@ -64,8 +64,7 @@ std::string small_config(const std::string& roles) {
          "\ndisplays:\n  Monitor:\n    - !<View> {name: Raw, colorspace: Own}\n"
          "\ncolorspaces:\n  - !<ColorSpace>\n    name: Own\n    isdata: false\n"
          "\n  - !<ColorSpace>\n    name: Half\n    isdata: false\n"
-         "    from_scene_reference: !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, "
-         "0, 0, 0, 1]}\n"
+         "    from_scene_reference: !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}\n"
          "\n  - !<ColorSpace>\n    name: Mask\n    isdata: true\n";
 }
 
@@ -89,8 +88,7 @@ TEST_CASE("a flat spectrum is grey within 1e-6 in every linear RGB space of the 
 }
 
 TEST_CASE(
-    "ACEScg through OpenColorIO is etak's own ACEScg, and linear sRGB differs only by the white's last "
-    "digits") {
+    "ACEScg through OpenColorIO is etak's own ACEScg, and linear sRGB differs only by the white's last digits") {
   // etak takes sRGB's white as the discrete sum of D65, the config as x 0.3127, y 0.3290.
   const Quadrature q = make_quadrature(Method::nm1, {});
   const Xyz white = to_xyz(q.white());
@@ -166,8 +164,7 @@ TEST_CASE("$OCIO names the config, and an argument wins over it") {
 }
 
 TEST_CASE(
-    "scene spaces are entered through ACES, display spaces through XYZ, so that no view transform lies "
-    "between") {
+    "scene spaces are entered through ACES, display spaces through XYZ, so that no view transform lies between") {
   CHECK(OcioConfig::open(own_config).space("ACEScg").role() == "aces_interchange");
   CHECK(OcioConfig::open(own_config).space("sRGB - Texture").role() == "aces_interchange");
   CHECK(OcioConfig::open(own_config).space("sRGB - Display").role() == "cie_xyz_d65_interchange");

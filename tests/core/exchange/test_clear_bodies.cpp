@@ -121,9 +121,9 @@ TEST_CASE("files of clear materials hold transmission, volume and index") {
   std::vector<Changes> changes;
   const std::string gltf =
       gltf_document(surfaces, GltfMaterialForm::metal_rough, GltfContainer::gltf, Fit::clamp, changes);
-  CHECK(contains(gltf,
-                 "\"extensionsUsed\": [\"KHR_materials_ior\", \"KHR_materials_specular\", "
-                 "\"KHR_materials_transmission\", \"KHR_materials_volume\"]"));
+  CHECK(contains(
+      gltf,
+      "\"extensionsUsed\": [\"KHR_materials_ior\", \"KHR_materials_specular\", \"KHR_materials_transmission\", \"KHR_materials_volume\"]"));
   CHECK(contains(gltf, "{\"transmissionFactor\": 1}"));
   CHECK(contains(gltf, "\"attenuationDistance\": 1}"));  // of water
   CHECK(contains(gltf, "{\"thicknessFactor\": 2}"));     // of diamond
@@ -254,8 +254,7 @@ Vec3 total_of(const std::string& target, const EngineValues& v) {
 }  // namespace
 
 TEST_CASE(
-    "every measured total comes out of every target again at normal incidence, and where a "
-    "channel has less than the assumed F0 that") {
+    "every measured total comes out of every target again at normal incidence, and where a channel has less than the assumed F0 that") {
   const MaterialLibrary library = MaterialLibrary::builtin();
   std::size_t surfaces = 0, saturated = 0;
   for (std::size_t i = 0; i < library.ids().size(); ++i) {

@@ -50,8 +50,7 @@ TEST_CASE("references, comments and temperature are read, blank and indented lin
 TEST_CASE("a citation of three lines is taken apart") {
   const auto c = citation(
       "    P. B. One and R.-W. Two.\n    Optical constants of H<sub>2</sub>O &amp; ice.\n"
-      "    <a href=\"https://doi.org/10.1103/None.6.4370\"><i>J. None B</i> <b>6</b>, 4370-4379 "
-      "(1972)</a>\n");
+      "    <a href=\"https://doi.org/10.1103/None.6.4370\"><i>J. None B</i> <b>6</b>, 4370-4379 (1972)</a>\n");
   CHECK(c.authors == Names{"P. B. One", "R.-W. Two"});
   CHECK(c.title == "Optical constants of H2O & ice");
   CHECK(c.published_in == "J. None B 6, 4370-4379");

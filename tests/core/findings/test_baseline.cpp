@@ -63,8 +63,7 @@ TEST_CASE("a broken baseline is refused with its place") {
   CHECK(contains(
       error_of([] {
         (void)read_baseline(
-            "{\"schema\": \"etak-baseline/1\", \"findings\": [{\"rule\": \"ETK101\", \"file\": \"a\", "
-            "\"region\": [1, 2]}]}",
+            "{\"schema\": \"etak-baseline/1\", \"findings\": [{\"rule\": \"ETK101\", \"file\": \"a\", \"region\": [1, 2]}]}",
             "b.json");
       }),
       "#/findings/0/region"));

@@ -85,15 +85,13 @@ TEST_CASE("text names place, severity, rule, message, cause and fix, and ends wi
   const std::string text = validation_text(nasty_report());
   CHECK(contains(
       text,
-      "props/crate_spec.png:tile \"hinge, \"left\"\" [812,64 96x40] error ETK101 f0-forbidden-zone: F0 0.22 "
-      "(byte 129, grey) on 2,914 px (0.07 %); matches plastic 0.04 sRGB-encoded twice. Fix: re-export "
+      "props/crate_spec.png:tile \"hinge, \"left\"\" [812,64 96x40] error ETK101 f0-forbidden-zone: F0 0.22 (byte 129, grey) on 2,914 px (0.07 %); matches plastic 0.04 sRGB-encoded twice. Fix: re-export "
       "specular without the second sRGB conversion.\n"));
   CHECK(contains(text, "wood.json#/datasets/0/n info ETK010 "));
   CHECK_FALSE(contains(text, "photovoltaic"));
   CHECK_FALSE(contains(text, "old.png"));
   CHECK(text.ends_with(
-      "INCOMPLETE: 1 file could not be checked; 2 errors, 1 warning, 1 info in 5 files (3 clean), 1 "
-      "allowed, 1 known from the baseline.\n"));
+      "INCOMPLETE: 1 file could not be checked; 2 errors, 1 warning, 1 info in 5 files (3 clean), 1 allowed, 1 known from the baseline.\n"));
   CHECK(contains(validation_text(nasty_report(), {true}), "\x1b[1;31merror\x1b[0m"));
 }
 
@@ -112,8 +110,7 @@ TEST_CASE("the text tells errors first, then places; infos of one rule share a l
     return out;
   };
   const std::string errors =
-      "a.png [30,2 4x4] error ETK101 f0-forbidden-zone; a.png [9,20 4x4] error ETK101 f0-forbidden-zone; "
-      "b.png [30,2 4x4] error ETK101 f0-forbidden-zone; b.png [9,20 4x4] error ETK101 f0-forbidden-zone; ";
+      "a.png [30,2 4x4] error ETK101 f0-forbidden-zone; a.png [9,20 4x4] error ETK101 f0-forbidden-zone; b.png [30,2 4x4] error ETK101 f0-forbidden-zone; b.png [9,20 4x4] error ETK101 f0-forbidden-zone; ";
   const std::string warnings = "a.png warning ETK103 f0-too-low; b.png warning ETK103 f0-too-low; ";
   CHECK(lines(validation_text(report)) ==
         errors + warnings + "a.png and 1 more in 2 files info ETK010 role-guessed; FAILED; ");

@@ -191,8 +191,7 @@ TEST_CASE("small patches with hard edges are told from edges, and both have a pl
   CHECK(find(several, "ETK102")->box == PixelBox{404, 410, 8, 8});
   CHECK(
       find(several, "ETK102")->message ==
-      "a solid patch of F0 0.35 (byte 160, grey), 8 x 8 px with hard edges, the largest of 3, too small for "
-      "ETK101; edges and thin features on 435 px (0.17 %)");
+      "a solid patch of F0 0.35 (byte 160, grey), 8 x 8 px with hard edges, the largest of 3, too small for ETK101; edges and thin features on 435 px (0.17 %)");
 }
 
 TEST_CASE("blurred edges are no patches, and their box is around them") {
@@ -281,13 +280,12 @@ TEST_CASE("of channels that stand at 255 each is named") {
     const Finding* finding = find(file, "ETK107");
     return finding == nullptr ? std::string("nothing") : finding->message;
   };
-  CHECK(said({255, 228, 156}) ==
-        "F0 red stands at code 255 on 50 % of the texels while green and blue do not: clipped or mapped into "
-        "the gamut");
+  CHECK(
+      said({255, 228, 156}) ==
+      "F0 red stands at code 255 on 50 % of the texels while green and blue do not: clipped or mapped into the gamut");
   CHECK(
       said({255, 255, 156}) ==
-      "F0 red and green stand at code 255 on up to 50 % of the texels while blue does not: clipped or mapped "
-      "into the gamut");
+      "F0 red and green stand at code 255 on up to 50 % of the texels while blue does not: clipped or mapped into the gamut");
   CHECK(said({255, 255, 255}) == "nothing");
 }
 

@@ -38,9 +38,7 @@ Material liquid(std::optional<double> k) {
 
 }  // namespace
 
-TEST_CASE(
-    "water, glass, diamond, ice and pmma are clear; metals, silicon, paper, soot and blood are "
-    "not") {
+TEST_CASE("water, glass, diamond, ice and pmma are clear; metals, silicon, paper, soot and blood are not") {
   for (const char* id : {"water", "fused_silica", "glass_bk7", "diamond", "ice", "pmma", "sapphire", "quartz",
                          "ethanol", "polycarbonate", "halite", "air"}) {
     INFO(id << ": " << preferred(id).reason);

@@ -53,10 +53,9 @@ TEST_CASE("a dataset is found by its id, by its unique beginning, and as the pre
 }
 
 TEST_CASE("an unknown name is told with its place, the nearest names and what else may stand there") {
-  CHECK(
-      contains(error_of([] { (void)find_dataset(library(), "glod", "", words_at("m.json#/a", "a file")); }),
-               "m.json#/a: no material of the library is called glod; expected a file, or one of the nearest "
-               "names: gold"));
+  CHECK(contains(
+      error_of([] { (void)find_dataset(library(), "glod", "", words_at("m.json#/a", "a file")); }),
+      "m.json#/a: no material of the library is called glod; expected a file, or one of the nearest names: gold"));
   CHECK(error_of([] { (void)find_dataset(library(), "xyzzy", "", {}); }) ==
         "xyzzy: is no material of the library; expected a name that etak list shows");
 }

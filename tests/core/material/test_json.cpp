@@ -167,8 +167,7 @@ TEST_CASE("what is written reads back equal, and writing it again gives the same
 }
 
 TEST_CASE(
-    "notes on aliases, the group and commonness are read, written, and refused where they stand "
-    "for nothing") {
+    "notes on aliases, the group and commonness are read, written, and refused where they stand for nothing") {
   const std::string notes =
       R"("alias_notes": {"Tt": "its symbol", "testium": "its id"}, "group": "stone", "common": true, )";
   const Material m = parse_material(with_change("\"class\"", notes + "\"class\""), "testium.json");

@@ -144,8 +144,7 @@ TEST_CASE("names that surprised are answered by what is meant, or say what they 
 }
 
 TEST_CASE(
-    "300 words that were listed before the library knew them: most are answered, and none by another "
-    "material") {
+    "300 words that were listed before the library knew them: most are answered, and none by another material") {
   const std::string list = GENERATE("words.csv", "words_second.csv");
   std::ifstream table(source_folder() + "/tests/data/" + list);
   std::string line;

@@ -204,8 +204,7 @@ TEST_CASE("Schueler's codes are those of a pure power: read as sRGB they are too
 }
 
 TEST_CASE(
-    "all 33 metal codes of Hoffman follow from his linear values; silicon blue is a tie that he rounded "
-    "down") {
+    "all 33 metal codes of Hoffman follow from his linear values; silicon blue is a tie that he rounded down") {
   int metals = 0;
   for (const auto& printed : printed_rows()) {
     if (printed.seed != "Hoffman" || printed.channel < 0) continue;

@@ -19,8 +19,7 @@ TEST_CASE("a curve of F runs from F0 to 1 at grazing incidence, over angles that
 }
 
 TEST_CASE(
-    "a curve of D is over the half vector, one of V over the viewer with the mirror direction among the "
-    "angles") {
+    "a curve of D is over the half vector, one of V over the viewer with the mirror direction among the angles") {
   const double alpha[] = {0.5};
   const LobeCurve facets = term_curve(*find_term(TermKind::distribution, "ggx"), alpha, 45, 45);
   REQUIRE(facets.angle_deg.size() == 3);

@@ -35,8 +35,7 @@ TEST_CASE("with the previous layout removing a rectangle never enlarges, and wha
 }
 
 TEST_CASE(
-    "a new rectangle goes into a gap or a slightly larger page; others stay within the stated share of "
-    "area") {
+    "a new rectangle goes into a gap or a slightly larger page; others stay within the stated share of area") {
   std::mt19937 random(9);
   int kept = 0, fresh = 0;
   for (int round = 0; round < 30; ++round)

@@ -93,8 +93,7 @@ TEST_CASE("Khronos PBR Neutral is what its specification computes") {
 }
 
 TEST_CASE(
-    "the curve like AgX is sRGB's contrast at middle grey, white 6.5 stops above, and fades colours to "
-    "white") {
+    "the curve like AgX is sRGB's contrast at middle grey, white 6.5 stops above, and fades colours to white") {
   Image picture(1, 1, 4);
   const auto srgb = [&](double r, double g, double b) {
     picture.values = {float(r), float(g), float(b), 1};

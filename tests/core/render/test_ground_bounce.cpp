@@ -46,8 +46,7 @@ double normal_y(const Scene& scene, int row) {
 }  // namespace
 
 TEST_CASE(
-    "the ground lights a Lambert ball by its form factor (1 - ny) / 2, lit by discrete lights and "
-    "hemispheres") {
+    "the ground lights a Lambert ball by its form factor (1 - ny) / 2, lit by discrete lights and hemispheres") {
   Scene scene = white_ball();
   scene.lights.lights = {from_above(2 * std::numbers::pi)};
   scene.lights.ground = Vec3{0.5, 0.25, 0};

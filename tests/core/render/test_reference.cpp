@@ -90,8 +90,7 @@ TEST_CASE("the reference's lobe is the model with F = 1") {
 }
 
 TEST_CASE(
-    "sampled light: same for any number of threads, and the error shrinks faster than the root of the "
-    "samples") {
+    "sampled light: same for any number of threads, and the error shrinks faster than the root of the samples") {
   Scene scene = scene_of_material("copper", "ggx-schlick", 24);
   scene.lights.lights.clear();
   const Reference one = render_reference(scene, nullptr, {2, 16, 1});

@@ -212,10 +212,11 @@ TEST_CASE("what cannot be read is refused with its place") {
                  "EXT_meshopt_compression"));
   CHECK(contains(with("\"scenes\"", "\"extensionsRequired\":[\"ACME_new\"],\"scenes\""),
                  "required extension \"ACME_new\""));
-  CHECK(with("\"scenes\"",
-             "\"extensionsUsed\":[\"ACME_new\"],\"extensionsRequired\":[\"KHR_texture_transform\",\"KHR_mesh_"
-             "quantization\",\"KHR_materials_clearcoat\"],\"scenes\"")
-            .empty());
+  CHECK(
+      with(
+          "\"scenes\"",
+          "\"extensionsUsed\":[\"ACME_new\"],\"extensionsRequired\":[\"KHR_texture_transform\",\"KHR_mesh_quantization\",\"KHR_materials_clearcoat\"],\"scenes\"")
+          .empty());
   std::string draco =
       replaced(json, "\"indices\":2,", "\"indices\":2,\"extensions\":{\"KHR_draco_mesh_compression\":{}},");
   CHECK(refusal(draco).empty());

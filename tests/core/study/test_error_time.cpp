@@ -82,9 +82,7 @@ TEST_CASE("ways that run the same instructions are told apart by their errors al
   CHECK(equal[2].verdict == Verdict::beaten);
 }
 
-TEST_CASE(
-    "what slows a whole round down does not open a verdict, and one bad round does not change "
-    "it") {
+TEST_CASE("what slows a whole round down does not open a verdict, and one bad round does not change it") {
   auto rows = table_of({row("a", 0.1, 1, 0.02), row("bb", 0.2, 0.7, 0.02)}).rows;
   for (std::size_t round = 0; round < 9; ++round)
     for (ErrorTimeRow& each : rows) each.time->rounds_ns[round] *= 1 + static_cast<double>(round % 4);

@@ -263,9 +263,7 @@ TEST_CASE("Fresnel: dielectrics are exact from F0, metals best with F82 for its 
         error(test::table(family, "dielectrics"), "schlick", "max_de"));
 }
 
-TEST_CASE(
-    "Fresnel's sets are whole classes that their titles name, and absorbing organics are told "
-    "of") {
+TEST_CASE("Fresnel's sets are whole classes that their titles name, and absorbing organics are told of") {
   const ErrorTimeFamily family = fresnel_family(quick());
   const auto library = MaterialLibrary::builtin();
   struct Group {

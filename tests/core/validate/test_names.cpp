@@ -218,10 +218,10 @@ TEST_CASE("the files of each convention form the set that is judged") {
         "diffuse=w_AlbedoTransparency specular=w_SpecularSmoothness");
   CHECK(sets_text({"w_Diffuse.png", "w_Specular.png", "w_Glossiness.png"}) ==
         "diffuse=w_Diffuse specular=w_Specular gloss=w_Glossiness");
-  CHECK(sets_text({"w_2K_Albedo.jpg", "w_2K_Diffuse.jpg", "w_2K_Specular.jpg", "w_2K_Gloss.jpg",
-                   "w_2K_Metalness.jpg"}) ==
-        "base-color=w_2K_Albedo metallic=w_2K_Metalness gloss=w_2K_Gloss; diffuse=w_2K_Diffuse "
-        "specular=w_2K_Specular");
+  CHECK(
+      sets_text({"w_2K_Albedo.jpg", "w_2K_Diffuse.jpg", "w_2K_Specular.jpg", "w_2K_Gloss.jpg",
+                 "w_2K_Metalness.jpg"}) ==
+      "base-color=w_2K_Albedo metallic=w_2K_Metalness gloss=w_2K_Gloss; diffuse=w_2K_Diffuse specular=w_2K_Specular");
   CHECK(sets_text({"w_diff.png", "w_spec.png"}) == "diffuse=w_diff specular=w_spec");
   CHECK(sets_text({"w_color.png", "w_rough.png", "w_metal.png"}) ==
         "base-color=w_color metallic=w_metal roughness=w_rough");
@@ -238,13 +238,12 @@ TEST_CASE("the files of each convention form the set that is judged") {
 
 TEST_CASE("what lacks its companion is said, and nothing is invented for it") {
   CHECK(sets_text({"T_w_ORM.png"}) == "metal-rough=T_w_ORM !metal-rough without the base colour");
-  CHECK(sets_text({"w_BaseColor.png", "w_Normal.png"}) ==
-        "base-color=w_BaseColor !a base colour without roughness and metallic, single or packed; "
-        "normal=w_Normal");
+  CHECK(
+      sets_text({"w_BaseColor.png", "w_Normal.png"}) ==
+      "base-color=w_BaseColor !a base colour without roughness and metallic, single or packed; normal=w_Normal");
   CHECK(
       sets_text({"T_w_BC.png", "T_w_R.png"}) ==
-      "base-color=T_w_BC roughness=T_w_R !base colour and roughness without metallic, which names of Unreal "
-      "always bring");
+      "base-color=T_w_BC roughness=T_w_R !base colour and roughness without metallic, which names of Unreal always bring");
   // T_w_M is metallic beside T_w_R only: else masks in an order that nobody tells.
   CHECK(sets_text({"T_w_BC.png", "T_w_M.png"}) ==
         "base-color=T_w_BC !a base colour without roughness and metallic, single or packed");

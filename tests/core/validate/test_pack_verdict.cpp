@@ -106,8 +106,7 @@ const Finding* finding_about(const ValidationReport& report, std::string_view ru
 }  // namespace
 
 TEST_CASE(
-    "a scene has one verdict: of its files, and while it is packed, in every form, with and without "
-    "islands") {
+    "a scene has one verdict: of its files, and while it is packed, in every form, with and without islands") {
   const TempFolder folder;
   const std::string scene = write_defects(folder);
   const ValidationReport input = said_of(scene);

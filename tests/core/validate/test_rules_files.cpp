@@ -156,8 +156,7 @@ TEST_CASE("a colour profile is judged by its curves and primaries") {
         "b.png declares the primaries of Display P3, but specular is taken for colours of sRGB");
   CHECK(
       of_specular(icc_rgb(icc_rec2020, icc_gamma(1))) ==
-      "b.png declares \"linear\", but specular is taken as srgb; and it declares the primaries of Rec. 2020, "
-      "but specular is taken for colours of sRGB");
+      "b.png declares \"linear\", but specular is taken as srgb; and it declares the primaries of Rec. 2020, but specular is taken for colours of sRGB");
   // Nobody reads a profile on plain numbers, and editors of pictures leave theirs on everything.
   for (const IccColorants& colorants : {icc_srgb, icc_display_p3})
     for (const std::string& curve : {icc_srgb_curve(), icc_gamma(1), icc_gamma(1.8)})

@@ -47,8 +47,7 @@ void tell_light_pictures(const SceneRead& read, const SceneChoice& choice,
   if (bytes > 0)
     remarks.push_back(
         std::to_string(bytes) +
-        " bytes of kept PNG files that say nothing of their texels are left out: texts, profiles "
-        "and the like, of which glTF takes no notice");
+        " bytes of kept PNG files that say nothing of their texels are left out: texts, profiles and the like, of which glTF takes no notice");
 }
 
 // Of all textures that scene.gltf would read, with these on its pages.

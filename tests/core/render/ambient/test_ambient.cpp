@@ -153,8 +153,7 @@ TEST_CASE("the body of a Lambert surface is its colour, that of others has an al
 }
 
 TEST_CASE(
-    "hemispheres take Schueler's formula for his models and that of the model else, unless one is asked "
-    "for") {
+    "hemispheres take Schueler's formula for his models and that of the model else, unless one is asked for") {
   Scene scene = scene_of(*find_model("schueler-ksk"), osmium(0.5));
   scene.lights.hemispheres.emplace();
   CHECK(hemisphere_form(scene) == HemisphereForm::corrected);
