@@ -80,8 +80,8 @@ void add_after(StartPageData& data) {
 // The worst finding of each rule, the worst rules first.
 void add_findings(unsigned threads, StartPageData& data) {
   ValidationRequest request;
-  request.paths = {"mistakes"};
-  request.threads = threads;
+  request.inputs.paths = {"mistakes"};
+  request.run.threads = threads;
   const Settings settings = request.config.settings;
   const ValidationReport report = validate(std::move(request));
   data.verdict = verdict_of(report);

@@ -45,30 +45,30 @@ namespace {
 ValidationRequest request_of(const py::object& paths, const Keywords& given, const Library& library,
                              int threads) {
   ValidationRequest out;
-  out.paths = texts_of(paths, "paths");
-  if (out.paths.empty()) throw Error::at("paths", "nothing to check", "files or folders");
-  out.config = validate_config(check_settings(given), out.paths.front(), library.known());
+  out.inputs.paths = texts_of(paths, "paths");
+  if (out.inputs.paths.empty()) throw Error::at("paths", "nothing to check", "files or folders");
+  out.config = validate_config(check_settings(given), out.inputs.paths.front(), library.known());
   for (const std::string& remark : out.config.remarks)
     if (PyErr_WarnEx(PyExc_FutureWarning, remark.c_str(), 2) != 0) throw py::error_already_set();
   if (const std::string role = given.text("role"); !role.empty()) {
-    out.role = role_named(role);
-    if (!out.role) throw Error::at(setting("role"), printable(role), picture_roles);
+    out.inputs.role = role_named(role);
+    if (!out.inputs.role) throw Error::at(setting("role"), printable(role), picture_roles);
   }
-  out.manifest.material = given.text("material");
-  out.manifest.surface_class = given.text("surface");
-  out.today = given.text("today");
-  if (!out.today.empty() && !is_date(out.today))
-    throw Error::at(setting("today"), printable(out.today), "a date such as 2027-01-01");
+  out.inputs.manifest.material = given.text("material");
+  out.inputs.manifest.surface_class = given.text("surface");
+  out.allowed.today = given.text("today");
+  if (!out.allowed.today.empty() && !is_date(out.allowed.today))
+    throw Error::at(setting("today"), printable(out.allowed.today), "a date such as 2027-01-01");
   if (const std::string baseline = given.text("baseline"); !baseline.empty())
-    out.known = read_baseline(read_file(baseline), baseline);
-  out.cache.path = given.text("cache");
+    out.allowed.known = read_baseline(read_file(baseline), baseline);
+  out.memory.cache.path = given.text("cache");
   if (const std::string size = given.text("cache_size"); !size.empty())
-    out.cache.most_bytes = byte_size(size, setting("cache-size"));
-  out.door = picture_door_behind(&pictures);
-  out.version = ETAK_VERSION;
-  out.pass_unknown = given.yes("allow_empty");
-  out.must_check = !out.pass_unknown;
-  out.threads = threads_of(threads);
+    out.memory.cache.most_bytes = byte_size(size, setting("cache-size"));
+  out.run.door = picture_door_behind(&pictures);
+  out.memory.version = ETAK_VERSION;
+  out.inputs.pass_unknown = given.yes("allow_empty");
+  out.must_check = !out.inputs.pass_unknown;
+  out.run.threads = threads_of(threads);
   return out;
 }
 
@@ -78,8 +78,8 @@ py::function check(const py::object& paths, const py::dict& given, const Library
   // Reading folders of materials can then be interrupted.
   (void)work.unlocked([&] { return library.known(); });
   ValidationRequest request = request_of(paths, {given}, library, threads);
-  request.progress = [&](std::size_t done, std::size_t all) { work.tell(done, all); };
-  request.stop = [&] { return work.stopped(); };
+  request.run.progress = [&](std::size_t done, std::size_t all) { work.tell(done, all); };
+  request.run.stop = [&] { return work.stopped(); };
   const Severity fail_on = request.config.settings.fail_on;
   return forms_of(
       work.unlocked([&] { return std::make_shared<const ValidationReport>(validate(std::move(request))); }),

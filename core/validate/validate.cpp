@@ -28,34 +28,36 @@ namespace {
 class Checks {
  public:
   Checks(const ValidationRequest& request, std::vector<FoundTarget>& targets)
-      : request_(request), targets_(targets), files_(targets.size() + request.materials.materials.size()) {
+      : request_(request),
+        targets_(targets),
+        files_(targets.size() + request.inputs.materials.materials.size()) {
     done_.resize(files_.size());
     keys_.resize(targets.size());
   }
 
   void run() {
     const std::string settings = settings_hash(request_.config.settings) + (follows_links() ? " links" : "");
-    if (request_.before) look_back(settings);
-    if (!request_.cache.path.empty()) look_up(settings);
+    if (request_.memory.before) look_back(settings);
+    if (!request_.memory.cache.path.empty()) look_up(settings);
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < files_.size(); ++i)
       if (done_[i] == 0) left.push_back(i);
     // Many checks run side by side, one thread each; fewer checks than threads use several threads inside.
-    const std::size_t lanes = std::clamp<std::size_t>(left.size(), 1, std::max(1u, request_.threads));
-    const unsigned inside = std::max(1u, request_.threads / static_cast<unsigned>(lanes));
+    const std::size_t lanes = std::clamp<std::size_t>(left.size(), 1, std::max(1u, request_.run.threads));
+    const unsigned inside = std::max(1u, request_.run.threads / static_cast<unsigned>(lanes));
     std::atomic<std::size_t> finished{0};
     parallel_chunks(left.size(), static_cast<unsigned>(lanes), 1,
                     [&](std::size_t begin, std::size_t, unsigned worker) {
-                      if (stopped_ || (request_.stop && request_.stop())) {
+                      if (stopped_ || (request_.run.stop && request_.run.stop())) {
                         stopped_ = true;
                         return;
                       }
                       check_one(left[begin], inside);
                       const std::size_t now = ++finished;
-                      if (worker == 0 && request_.progress) request_.progress(now, left.size());
+                      if (worker == 0 && request_.run.progress) request_.run.progress(now, left.size());
                     });
-    if (request_.progress && !left.empty() && !stopped_) request_.progress(left.size(), left.size());
-    if (request_.before) request_.before->end();
+    if (request_.run.progress && !left.empty() && !stopped_) request_.run.progress(left.size(), left.size());
+    if (request_.memory.before) request_.memory.before->end();
   }
 
   bool stopped() const { return stopped_; }
@@ -90,67 +92,70 @@ class Checks {
 
   // What is known of the files of a target before they are read, where its result is kept for the next run.
   std::vector<sys::FileInfo> known_files(const FoundTarget& found) const {
-    return request_.before ? look_at(found.depends) : std::vector<sys::FileInfo>();
+    return request_.memory.before ? look_at(found.depends) : std::vector<sys::FileInfo>();
   }
 
   void keep_before(const FoundTarget& found, const std::vector<sys::FileInfo>& known,
                    const CheckedFile& file) {
-    if (!request_.before || file.unreadable) return;
+    if (!request_.memory.before || file.unreadable) return;
     CheckedFile kept = file;
     kept.target = nullptr;
     kept.stats = {};  // of work that the next run does not do
-    request_.before->keep(identity_of(found), found.depends, known, std::move(kept));
+    request_.memory.before->keep(identity_of(found), found.depends, known, std::move(kept));
   }
 
   void look_back(const std::string& settings) {
-    request_.before->begin(settings);
-    parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
-      for (std::size_t i = begin; i < end; ++i) {
-        auto file = request_.before->find(identity_of(targets_[i]), targets_[i].depends);
-        if (!file) continue;
-        finish(i, std::move(*file));
-      }
-    });
+    request_.memory.before->begin(settings);
+    parallel_chunks(
+        targets_.size(), request_.run.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
+          for (std::size_t i = begin; i < end; ++i) {
+            auto file = request_.memory.before->find(identity_of(targets_[i]), targets_[i].depends);
+            if (!file) continue;
+            finish(i, std::move(*file));
+          }
+        });
     unchanged_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1));
   }
 
   void look_up(const std::string& settings) {
-    CacheOptions options = request_.cache;
+    CacheOptions options = request_.memory.cache;
     options.kind = "validate";
-    cache_.emplace(std::move(options), settings, request_.version);
-    parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
-      for (std::size_t i = begin; i < end; ++i) {
-        if (done_[i] != 0) continue;
-        const FoundTarget& found = targets_[i];
-        const auto before = known_files(found);
-        const auto& files = found.target.files;
-        keys_[i] =
-            cache_->key_of(identity_of(found), found.depends, found.plain ? SeenAsFile::yes : SeenAsFile::no,
-                           request_.hashes && !files.empty() ? &files.front().path : nullptr);
-        const auto text = cache_->find(keys_[i]);
-        if (!text) continue;
-        auto file = read_result_text(*text);
-        if (!file) {
-          cache_->folder().refuse_hit();
-          continue;
-        }
-        keep_before(found, before, *file);
-        finish(i, std::move(*file));
-      }
-    });
+    cache_.emplace(std::move(options), settings, request_.memory.version);
+    parallel_chunks(
+        targets_.size(), request_.run.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
+          for (std::size_t i = begin; i < end; ++i) {
+            if (done_[i] != 0) continue;
+            const FoundTarget& found = targets_[i];
+            const auto before = known_files(found);
+            const auto& files = found.target.files;
+            keys_[i] = cache_->key_of(identity_of(found), found.depends,
+                                      found.plain ? SeenAsFile::yes : SeenAsFile::no,
+                                      request_.hashes && !files.empty() ? &files.front().path : nullptr);
+            const auto text = cache_->find(keys_[i]);
+            if (!text) continue;
+            auto file = read_result_text(*text);
+            if (!file) {
+              cache_->folder().refuse_hit();
+              continue;
+            }
+            keep_before(found, before, *file);
+            finish(i, std::move(*file));
+          }
+        });
     from_cache_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1)) - unchanged_;
   }
 
   void check_one(std::size_t i, unsigned threads) {
     const Settings& settings = request_.config.settings;
-    const MaterialsToCheck& materials = request_.materials;
+    const MaterialsToCheck& materials = request_.inputs.materials;
     if (i >= targets_.size()) {
-      files_[i] = check_material(materials.materials[i - targets_.size()], *materials.library, request_.door,
-                                 settings, materials.most_texels, threads, materials.kept.get());
+      files_[i] =
+          check_material(materials.materials[i - targets_.size()], *materials.library, request_.run.door,
+                         settings, materials.most_texels, threads, materials.kept.get());
     } else {
       const FoundTarget& found = targets_[i];
       const auto before = known_files(found);
-      CheckedFile file = check(found.target, request_.door, settings, threads);
+      CheckedFile file = check(found.target, request_.run.door, settings, threads);
       keep_before(found, before, file);
       if (cache_ && !file.unreadable) cache_->keep(keys_[i], found.depends, result_text(file));
       return finish(i, std::move(file));
@@ -207,7 +212,7 @@ void join_scenes(std::vector<FoundTarget>& targets) {
 
 bool names_whole_tree(const ValidationRequest& request) {
   std::error_code failure;
-  return std::ranges::any_of(request.paths, [&](const std::string& path) {
+  return std::ranges::any_of(request.inputs.paths, [&](const std::string& path) {
     BetweenFiles::call();
     return std::filesystem::equivalent(path, request.config.root, failure);
   });
@@ -218,7 +223,7 @@ bool names_whole_tree(const ValidationRequest& request) {
 std::string options_digest(const ValidationRequest& request) {
   const Settings& settings = request.config.settings;
   ContentHash hash;
-  hash.add_part(request.line_digest);
+  hash.add_part(request.part.line_digest);
   hash.add_part(settings_hash(settings));
   hash.add_part(name(settings.fail_on));
   bool expires = false;
@@ -228,7 +233,7 @@ std::string options_digest(const ValidationRequest& request) {
       hash.add_part(*text);
     expires = expires || !entry.expires.empty();
   }
-  if (expires && request.today.empty()) hash.add_part(today_here());
+  if (expires && request.allowed.today.empty()) hash.add_part(today_here());
   hash.add_part(names_whole_tree(request) ? "whole" : "");
   return hash.hex();
 }
@@ -237,14 +242,14 @@ std::string options_digest(const ValidationRequest& request) {
 std::shared_ptr<ReportShard> cut(FoundTargets& found, const RunCounts& run,
                                  const ValidationRequest& request) {
   auto out = std::make_shared<ReportShard>();
-  const std::vector<TargetGroup> groups = groups_of(found, request.threads);
-  out->shard = *request.shard;
+  const std::vector<TargetGroup> groups = groups_of(found, request.run.threads);
+  out->shard = *request.part.shard;
   out->list = digest_of(found, groups);
   out->options = options_digest(request);
   out->groups = groups.size();
   out->run = run;
   out->settings = request.config.settings;
-  out->verdict = request.verdict;
+  out->verdict = request.part.verdict;
   out->shard.items = keep_groups(found, groups, out->shard);
   return out;
 }
@@ -254,7 +259,7 @@ std::shared_ptr<ReportShard> cut(FoundTargets& found, const RunCounts& run,
 std::vector<ShardPlan> plan_shards(ValidationRequest request, std::size_t count) {
   FoundTargets found = find_targets(request);
   join_scenes(found.targets);
-  const std::vector<TargetGroup> groups = groups_of(found, request.threads);
+  const std::vector<TargetGroup> groups = groups_of(found, request.run.threads);
   std::vector<std::uint64_t> bytes;
   for (const TargetGroup& group : groups) bytes.push_back(group.bytes);
   const std::string list = digest_of(found, groups);
@@ -280,14 +285,14 @@ FileList list_files(ValidationRequest request) {
 
 ValidationReport validate(ValidationRequest request) {
   FoundTargets found = find_targets(request);
-  for (const CheckTarget& target : request.targets) {
+  for (const CheckTarget& target : request.inputs.targets) {
     FoundTarget& added = found.targets.emplace_back(FoundTarget{target, {}, false, 0});
     for (const TargetFile& file : target.files) added.depends.push_back(file.path);
   }
   join_scenes(found.targets);
   RunCounts run{found.files, found.skipped, found.failed.size(),
-                found.targets.size() + found.lone.size() + request.materials.materials.size(), 0};
-  const std::shared_ptr<ReportShard> shard = request.shard ? cut(found, run, request) : nullptr;
+                found.targets.size() + found.lone.size() + request.inputs.materials.materials.size(), 0};
+  const std::shared_ptr<ReportShard> shard = request.part.shard ? cut(found, run, request) : nullptr;
   Checks checks(request, found.targets);
   checks.run();
   run.from_cache = checks.from_cache();
@@ -295,9 +300,10 @@ ValidationReport validate(ValidationRequest request) {
   std::vector<CheckedFile> files = with_tiles_joined(checks.take_files());
   std::move(found.lone.begin(), found.lone.end(), std::back_inserter(files));
   std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));
-  ValidationReport report = report_of_run(std::move(files), request.config.settings,
-                                          {request.config.file, request.today, names_whole_tree(request),
-                                           request.known, request.renew_known, shard.get()});
+  ValidationReport report =
+      report_of_run(std::move(files), request.config.settings,
+                    {request.config.file, request.allowed.today, names_whole_tree(request),
+                     request.allowed.known, request.allowed.renew_known, shard.get()});
   report.not_opened = std::move(found.no_files);
   report.run = run;
   report.cache = checks.cache_use();
@@ -310,7 +316,7 @@ ValidationReport validate(ValidationRequest request) {
     report.passed = false;
   }
   report.shard = shard;
-  if (request.hashes) add_hashes(report, request.threads);
+  if (request.hashes) add_hashes(report, request.run.threads);
   return report;
 }
 

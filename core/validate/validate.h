@@ -41,43 +41,70 @@ struct MaterialsToCheck {
   std::shared_ptr<KeptPictures> kept;
 };
 
-/// What is to be checked, by which rules, and how.
-struct ValidationRequest {
-  // What is checked. Files that belong together are found by their names: diffuse and specular pictures that
-  // differ in the ending of their role only, the pictures of a layout or of a scene.
+/// What is checked. Files that belong together are found by their names: diffuse and specular pictures that differ in the
+/// ending of their role only, the pictures of a layout or of a scene.
+struct ValidationInputs {
   std::vector<std::string> paths;    // files and folders, as the user named them
   std::vector<std::string> listed;   // the names in a list of files
   std::string list;                  // the name of that list, for messages
   std::vector<CheckTarget> targets;  // made by the caller, in addition to those found
   MaterialsToCheck materials;
-
-  // What it is checked by.
-  ValidateConfig config;
   std::optional<FileRole> role;  // of all pictures; none: by their names
   Manifest manifest;             // what is stated about all pictures
-  std::string today;             // "YYYY-MM-DD", for allowances that expire; empty: the system's date
+  bool pass_unknown = false;     // named files of no known kind are passed over, as those of folders are
+};
+
+/// Defects that are known already.
+struct ValidationAllowances {
+  std::string today;  // "YYYY-MM-DD", for allowances that expire; empty: the system's date
   std::vector<KnownDefect> known;
   bool renew_known = false;  // everything found counts as known, instead of `known`
+};
 
-  // How it is checked.
-  PictureDoor door;    // of pictures that are no plain PNG
-  CacheOptions cache;  // results of earlier runs; without a path: none
-  // Of a program that checks the same files again and again: what they were the last time; null: none.
+/// Results of earlier runs.
+///   cache     without a path: none
+///   before    of a program that checks the same files again and again: what they were the last time; null: none
+///   version   of the program: results of other versions do not count
+struct ValidationMemory {
+  CacheOptions cache;
   std::shared_ptr<CheckedBefore> before;
-  std::string version;         // of the program: results of other versions do not count
-  bool hashes = false;         // the report gives the SHA-256 of every file, which reads all files once more
-  bool must_check = false;     // a run that checks nothing is incomplete
-  bool pass_unknown = false;   // named files of no known kind are passed over, as those of folders are
-  bool list_files = false;     // for list_files()
-  std::optional<Shard> shard;  // only this part of what is found is checked
-  VerdictOptions verdict;      // of a shard, which keeps it for the merge
-  std::string line_digest;     // of a shard: of all options that it was asked for with
-  unsigned threads = 1;        // the report is the same for any number of them
-  // Called by the thread that called validate(), with how many of the checks are done.
+  std::string version;
+};
+
+/// A part of a run that is cut into shards.
+///   shard         only this part of what is found is checked; none: all
+///   verdict       kept in the shard for the merge
+///   line_digest   of all options that the shard was asked for with
+struct ValidationPart {
+  std::optional<Shard> shard;
+  VerdictOptions verdict;
+  std::string line_digest;
+};
+
+/// How the checks run.
+///   door       of pictures that are no plain PNG
+///   threads    the report is the same for any number of them
+///   progress   called by the thread that called validate(), with how many of the checks are done
+///   stop       called before each check, from any thread; true: no other check is begun, and the report is marked
+///              stopped
+struct ValidationRun {
+  PictureDoor door;
+  unsigned threads = 1;
   std::function<void(std::size_t done, std::size_t all)> progress;
-  // Called before each check, from any thread; true: no other check is begun, and the report is marked
-  // stopped.
   std::function<bool()> stop;
+};
+
+/// What is to be checked, by which rules, and how.
+struct ValidationRequest {
+  ValidationInputs inputs;
+  ValidateConfig config;
+  ValidationAllowances allowed;
+  ValidationMemory memory;
+  ValidationPart part;
+  ValidationRun run;
+  bool hashes = false;      // the report gives the SHA-256 of every file, which reads all files once more
+  bool must_check = false;  // a run that checks nothing is incomplete
+  bool list_files = false;  // for list_files()
 };
 
 /// The files that validate() would find, with their roles and what would be done with each. No picture is

@@ -44,10 +44,10 @@ TEST_CASE("two shards that differ in an option that was only declared do not joi
   const TempFolder folder;
   const auto shard = [&](std::size_t index, const std::vector<std::string>& words) {
     ValidationRequest request;
-    request.paths = {folder.path()};
+    request.inputs.paths = {folder.path()};
     request.config.root = folder.path();
-    request.shard = Shard{index, 2};
-    request.line_digest = digest(words);
+    request.part.shard = Shard{index, 2};
+    request.part.line_digest = digest(words);
     const OutputOptions options{Severity::error, "1"};
     return read_shard(validation_json(validate(request), options), std::to_string(index), options.version);
   };

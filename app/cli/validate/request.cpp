@@ -27,43 +27,43 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   out.config = validate_config(arguments.settings, arguments.paths.empty() ? "" : arguments.paths.front(),
                                std::move(known));
   for (const std::string& each : out.config.remarks) remark(arguments.output, each);
-  out.list = arguments.files_from;
-  if (!arguments.files_from.empty()) out.listed = ListedNames(arguments.files_from).take();
+  out.inputs.list = arguments.files_from;
+  if (!arguments.files_from.empty()) out.inputs.listed = ListedNames(arguments.files_from).take();
   if (!arguments.changed_since.empty()) {
     if (!arguments.files_from.empty())
       throw Error::at("--changed-since", "is given beside --files-from", "one of both");
     arguments.allow_empty = true;
-    out.list = "--changed-since " + printable(arguments.changed_since);
+    out.inputs.list = "--changed-since " + printable(arguments.changed_since);
     Changed changed = changed_since(arguments.changed_since, arguments.paths);
-    out.listed = std::move(changed.files);
-    out.paths = std::move(changed.folders);
+    out.inputs.listed = std::move(changed.files);
+    out.inputs.paths = std::move(changed.folders);
   } else {
-    out.paths = arguments.paths;
+    out.inputs.paths = arguments.paths;
   }
-  if (out.paths.empty() && out.listed.empty() && !arguments.allow_empty)
+  if (out.inputs.paths.empty() && out.inputs.listed.empty() && !arguments.allow_empty)
     throw empty_list(arguments.files_from);
-  out.manifest.material = arguments.material;
-  out.manifest.surface_class = arguments.surface_class;
+  out.inputs.manifest.material = arguments.material;
+  out.inputs.manifest.surface_class = arguments.surface_class;
   if (!arguments.role.empty()) {
-    out.role = role_named(arguments.role);
-    if (!out.role) throw Error::at("--role", printable(arguments.role), picture_roles);
+    out.inputs.role = role_named(arguments.role);
+    if (!out.inputs.role) throw Error::at("--role", printable(arguments.role), picture_roles);
   }
-  out.today = arguments.today;
+  out.allowed.today = arguments.today;
   if (!arguments.baseline.empty())
-    out.known = read_baseline(read_file(arguments.baseline), arguments.baseline);
-  out.renew_known = !arguments.write_baseline.empty();
-  out.door = picture_door();
-  out.cache = cache_options(arguments.cache);
-  out.before = arguments.before;
-  out.version = ETAK_VERSION;
+    out.allowed.known = read_baseline(read_file(arguments.baseline), arguments.baseline);
+  out.allowed.renew_known = !arguments.write_baseline.empty();
+  out.run.door = picture_door();
+  out.memory.cache = cache_options(arguments.cache);
+  out.memory.before = arguments.before;
+  out.memory.version = ETAK_VERSION;
   out.must_check = !arguments.allow_empty;
-  out.pass_unknown = arguments.allow_empty;
+  out.inputs.pass_unknown = arguments.allow_empty;
   // JSON is the only form that holds hashes of the files.
   out.hashes = arguments.output.format == "json";
-  out.threads = thread_count(arguments.threads);
-  out.shard = asked_shard(arguments.shard);
-  out.line_digest = arguments.line_digest;
-  out.verdict = verdict_options(arguments);
+  out.run.threads = thread_count(arguments.threads);
+  out.part.shard = asked_shard(arguments.shard);
+  out.part.line_digest = arguments.line_digest;
+  out.part.verdict = verdict_options(arguments);
   return out;
 }
 

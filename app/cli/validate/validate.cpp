@@ -203,7 +203,7 @@ int check_files(ValidateArguments& arguments) {
   if (!arguments.cache.folder.empty()) sys::keep_freed_memory(32 << 20, 512 << 20);
   ValidationRequest request = validation_request(arguments);
   std::optional<Progress> progress(std::in_place, arguments.output, 0, "validate");
-  request.progress = [&](std::size_t done, std::size_t all) { progress->set(done, all); };
+  request.run.progress = [&](std::size_t done, std::size_t all) { progress->set(done, all); };
   const Settings settings = request.config.settings;
   ValidationReport report = validate(std::move(request));
   progress.reset();

@@ -119,7 +119,7 @@ std::vector<ShardPlan> planned_shards(const AskedRun& run, std::size_t count, Ru
     ValidationRequest request = validation_request(a);
     for (const std::string& file : {request.config.file, a.baseline, a.files_from})
       if (!file.empty()) plan.common.push_back(file);
-    plan.folders = folders_of(request.paths);
+    plan.folders = folders_of(request.inputs.paths);
     return plan_shards(std::move(request), count);
   }
   plan.common.push_back(run.pack->batch);

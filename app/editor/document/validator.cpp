@@ -64,9 +64,9 @@ void Validator::begin() {
       [this, batch = std::move(batch), library = document_.library(), kept = kept_]() mutable {
         let_others_go_first();
         ValidationRequest request;
-        request.materials = {std::move(batch), std::move(library), most_texels, std::move(kept)};
-        request.door = picture_door();
-        request.stop = [this] { return stop_.load(); };  // the destructor waits for this thread
+        request.inputs.materials = {std::move(batch), std::move(library), most_texels, std::move(kept)};
+        request.run.door = picture_door();
+        request.run.stop = [this] { return stop_.load(); };  // the destructor waits for this thread
         return validate(std::move(request)).files;
       },
       [this](std::vector<CheckedFile> checked) {

@@ -11,10 +11,10 @@
 //
 // int main() {
 //   etak::ValidationRequest request;
-//   request.paths = {"atlas"};                  // files and folders
+//   request.inputs.paths = {"atlas"};                  // files and folders
 //   request.config = etak::read_config(etak::find_config("atlas"));
-//   request.door = etak::picture_door();        // of etak::image_io; without it PNG alone is read
-//   request.threads = 2;
+//   request.run.door = etak::picture_door();        // of etak::image_io; without it PNG alone is read
+//   request.run.threads = 2;
 //   const etak::ValidationReport report = etak::validate(request);
 //   std::fputs(etak::validation_text(report).c_str(), stdout);
 //   for (const etak::CheckedFile& file : report.files)

@@ -25,7 +25,7 @@ class Documents {
   Documents(const Searched& searched, Finds& finds) : searched_(searched), finds_(finds) {}
 
   FilesOfPictures run() {
-    const std::vector<KindOfFile> kinds = kinds_of(searched_.files, finds_.request.threads);
+    const std::vector<KindOfFile> kinds = kinds_of(searched_.files, finds_.request.run.threads);
     files_.pictures.reserve(searched_.files.size());
     std::size_t missing_reported = 0, missing_more = 0;
     for (std::size_t i = 0; i < searched_.files.size(); ++i) {
@@ -54,7 +54,8 @@ class Documents {
         add_document(candidate.path, *kind);
     }
     if (missing_more > 0)
-      finds_.fail(finds_.request.list, std::to_string(missing_more) + " more of its names lead to no file");
+      finds_.fail(finds_.request.inputs.list,
+                  std::to_string(missing_more) + " more of its names lead to no file");
     if (!files_.claimed.empty())
       std::erase_if(files_.pictures, [&](const FileCandidate* picture) {
         if (!files_.claimed.contains(picture->path) && !files_.claimed.contains(level_0_of(picture->path)))

@@ -46,7 +46,7 @@ struct FoundTargets {
 /// pictures of one folder whose names differ in what tells the role only ("crate_diff.png",
 /// "crate_spec.png"). A picture named alone takes its companion along. Pictures that a scene or a layout of
 /// the run names belong to it alone. Names of the list that lead to no file fail one by one up to a thousand;
-/// the others fail as a number, under the name of the list. The names are moved out of `request.listed`,
+/// the others fail as a number, under the name of the list. The names are moved out of `request.inputs.listed`,
 /// because there may be a million of them.
 FoundTargets find_targets(ValidationRequest& request);
 

@@ -39,7 +39,7 @@ class Pictures {
       while (end < pictures_.size() && pictures_[end].key == pictures_[begin].key) ++end;
       groups.push_back({{pictures_.data() + begin, end - begin}, {}});
     }
-    parallel_chunks(groups.size(), finds_.request.threads, 256,
+    parallel_chunks(groups.size(), finds_.request.run.threads, 256,
                     [&](std::size_t begin, std::size_t end, unsigned) {
                       PictureNamer namer(finds_.request.config, finds_.reader);
                       for (std::size_t i = begin; i < end; ++i) find_sets(groups[i], namer);
@@ -67,7 +67,7 @@ class Pictures {
   NamedPicture picture_of_role(const std::string& path) const {
     NamedPicture out;
     out.path = out.key = path;
-    out.name.role = *finds_.request.role;
+    out.name.role = *finds_.request.inputs.role;
     return out;
   }
 
@@ -77,11 +77,11 @@ class Pictures {
     pictures_.resize(found.size());
     std::vector<char> known(found.size(), 0);
     parallel_chunks(
-        found.size(), finds_.request.threads, 256, [&](std::size_t begin, std::size_t end, unsigned) {
+        found.size(), finds_.request.run.threads, 256, [&](std::size_t begin, std::size_t end, unsigned) {
           PictureNamer namer(finds_.request.config, finds_.reader);
           for (std::size_t i = begin; i < end; ++i) {
             auto picture =
-                finds_.request.role ? picture_of_role(found[i]->path) : namer.named(found[i]->path);
+                finds_.request.inputs.role ? picture_of_role(found[i]->path) : namer.named(found[i]->path);
             if (!picture) continue;
             picture->by_hand = found[i]->named == Named::by_hand;
             picture->plain = found[i]->plain;
@@ -132,7 +132,7 @@ class Pictures {
 
   // Adds possible companions from the folders of the run's pictures. Each folder is listed once.
   void add_companions() {
-    if (finds_.request.role) return;
+    if (finds_.request.inputs.role) return;
     const std::set<std::string_view> folders = folders_to_list();
     if (folders.empty()) return;
     std::unordered_set<std::string_view> have, keys, keys_of_maps;
@@ -185,10 +185,11 @@ class Pictures {
     group.sets.reserve(sets.size());
     for (PictureSet& set : sets) {
       // A base colour that was named by --role is checked without its companions.
-      if (finds_.request.role == FileRole::base_color) set.missing.clear();
+      if (finds_.request.inputs.role == FileRole::base_color) set.missing.clear();
       // A set is judged only where at least one of its pictures belongs to the run.
       if (!std::ranges::all_of(set.members, &NamedPicture::companion))
-        group.sets.emplace_back(target_of_set(set, finds_.request.manifest, namer), std::move(set.missing));
+        group.sets.emplace_back(target_of_set(set, finds_.request.inputs.manifest, namer),
+                                std::move(set.missing));
     }
   }
 

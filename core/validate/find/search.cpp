@@ -33,13 +33,13 @@ class Search {
   explicit Search(Finds& finds) : finds_(finds) {}
 
   Searched run() {
-    for (const std::string& path : finds_.request.paths) add_path(path);
-    searched_.files.reserve(searched_.files.size() + finds_.request.listed.size());
-    for (std::string& path : finds_.request.listed) {
+    for (const std::string& path : finds_.request.inputs.paths) add_path(path);
+    searched_.files.reserve(searched_.files.size() + finds_.request.inputs.listed.size());
+    for (std::string& path : finds_.request.inputs.listed) {
       remember_typed(folder_of(path));
       searched_.files.push_back({std::move(path), Named::by_list, {}, false});
     }
-    finds_.request.listed = {};
+    finds_.request.inputs.listed = {};
     const std::string& config = finds_.request.config.file;
     if (!config.empty()) finds_.found.typed.try_emplace(".", sys::path_text(fs::path(config).parent_path()));
     drop_doubles();
@@ -56,7 +56,7 @@ class Search {
     if (!fs::exists(status) && !is_pipe_input(path))
       return finds_.fail(path, why_missing(path), missing_fix(path));
     searched_.files.push_back(
-        {path, finds_.request.pass_unknown ? Named::by_list : Named::by_hand, {}, false});
+        {path, finds_.request.inputs.pass_unknown ? Named::by_list : Named::by_hand, {}, false});
   }
 
   // Keeps a folder as the user typed it (ending in '/', or empty) by the name that labels have for it.
@@ -72,7 +72,7 @@ class Search {
     remember_typed(path);
     Folder folder;
     try {
-      folder = list_folder(path, finds_.request.threads, [](std::string_view) { return true; });
+      folder = list_folder(path, finds_.request.run.threads, [](std::string_view) { return true; });
     } catch (const Error& error) {
       return finds_.fail(path, error.what());
     }
@@ -126,7 +126,8 @@ class Search {
       return path.starts_with("..") ? 1 : fs::path(path).is_absolute() ? 2 : 0;
     };
     for (const FileCandidate& each : searched_.files) ++begins[begin_of(each.path)];
-    if (std::ranges::count(begins, 0U) >= 2 && (begins[1] == 0 || finds_.request.paths.size() < 2)) return;
+    if (std::ranges::count(begins, 0U) >= 2 && (begins[1] == 0 || finds_.request.inputs.paths.size() < 2))
+      return;
     std::error_code failure;
     std::map<fs::path, const FileCandidate*> whole;
     std::set<const FileCandidate*> dropped;

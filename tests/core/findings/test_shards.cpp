@@ -58,11 +58,11 @@ void write_store(const TempFolder& folder, Random& random) {
 
 ValidationRequest store_request(const TempFolder& folder, Random& random) {
   ValidationRequest out;
-  out.paths = {folder.path()};
+  out.inputs.paths = {folder.path()};
   out.config.root = folder.path();
   out.config.file = folder.file("etak.toml");
-  out.version = sharded_options.version;
-  out.today = "2026-11-23";
+  out.memory.version = sharded_options.version;
+  out.allowed.today = "2026-11-23";
   out.hashes = true;
   out.must_check = random.below(2) == 0;
   Settings& settings = out.config.settings;
@@ -97,8 +97,8 @@ std::vector<ReadShard> shards_of(const ValidationRequest& request, std::size_t c
   std::vector<ReadShard> out;
   for (std::size_t i = 1; i <= count; ++i) {
     ValidationRequest part = request;
-    part.shard = Shard{i, count};
-    part.threads = 1 + static_cast<unsigned>(i % 3);
+    part.part.shard = Shard{i, count};
+    part.run.threads = 1 + static_cast<unsigned>(i % 3);
     const std::string text = validation_json(validate(std::move(part)), sharded_options);
     out.push_back(read_shard(text, std::to_string(i) + ".json", sharded_options.version));
   }
@@ -114,13 +114,13 @@ TEST_CASE("the merge of any number of shards is the run of all, in every form") 
     write_store(folder, random);
     ValidationRequest request = store_request(folder, random);
     if (random.below(2) == 0) {
-      request.known = baseline_of(validate(request));
-      std::erase_if(request.known, [&](const KnownDefect&) { return random.below(2) == 0; });
+      request.allowed.known = baseline_of(validate(request));
+      std::erase_if(request.allowed.known, [&](const KnownDefect&) { return random.below(2) == 0; });
     }
     const ValidationReport whole = validate(request);
     const auto forms = forms_of(whole, request.config.settings);
     ValidationRequest renewing = request;
-    renewing.renew_known = true;
+    renewing.allowed.renew_known = true;
     const auto renewed = forms_of(validate(renewing), request.config.settings);
     for (std::size_t count = 1; count <= 7; ++count) {
       INFO("run " << run << ", " << count << " shards");
@@ -147,7 +147,7 @@ TEST_CASE("a shard says which it is in every form, and its JSON fits the schema"
   Random random(5);
   for (int i = 0; i < 4; ++i) write_store(folder, random);
   ValidationRequest request = store_request(folder, random);
-  request.shard = Shard{2, 3};
+  request.part.shard = Shard{2, 3};
   const ValidationReport report = validate(request);
   REQUIRE(!report.files.empty());
   const auto json = nlohmann::json::parse(validation_json(report, sharded_options));
@@ -160,7 +160,7 @@ TEST_CASE("a shard says which it is in every form, and its JSON fits the schema"
   CHECK(contains(validation_csv(report), ",2/3\r\n"));
   CHECK(contains(validation_text(report), "shard 2/3: "));
   CHECK(contains(validation_github(report), "shard 2/3: "));
-  request.shard = Shard{1, 3};
+  request.part.shard = Shard{1, 3};
   const auto first = nlohmann::json::parse(validation_json(validate(request), sharded_options));
   CHECK(schema.problem(first) == "");
   CHECK(first["shard"]["list"] == json["shard"]["list"]);
@@ -173,22 +173,22 @@ TEST_CASE("what decides the result changes the digests of a shard, and nothing e
   for (int i = 0; i < 3; ++i) write_store(folder, random);
   ValidationRequest request = store_request(folder, random);
   request.config.settings.allow.clear();
-  request.shard = Shard{1, 2};
+  request.part.shard = Shard{1, 2};
   const auto shard_by = [&](const std::function<void(ValidationRequest&)>& change) {
     ValidationRequest other = request;
     change(other);
     return *validate(other).shard;
   };
   const ReportShard usual = shard_by([](ValidationRequest&) {});
-  CHECK(shard_by([](ValidationRequest& r) { r.threads = 5; }).options == usual.options);
-  CHECK(shard_by([](ValidationRequest& r) { r.today = "2030-01-01"; }).options == usual.options);
+  CHECK(shard_by([](ValidationRequest& r) { r.run.threads = 5; }).options == usual.options);
+  CHECK(shard_by([](ValidationRequest& r) { r.allowed.today = "2030-01-01"; }).options == usual.options);
   const std::vector<std::function<void(ValidationRequest&)>> changes{
       [](ValidationRequest& r) { r.config.settings.profile = Profile::film; },
       [](ValidationRequest& r) { r.config.settings.fail_on = Severity::info; },
       [](ValidationRequest& r) {
         r.config.settings.allow.push_back({"ETK101", "", "", "", "why", ""});
       },
-      [](ValidationRequest& r) { r.line_digest = "of other options"; }};
+      [](ValidationRequest& r) { r.part.line_digest = "of other options"; }};
   for (const auto& change : changes) CHECK(shard_by(change).options != usual.options);
   CHECK(shard_by([](ValidationRequest&) {}).list == usual.list);
   spit(folder.file("new_diff.png"), "x");

@@ -13,10 +13,10 @@ namespace etak::test {
 inline ValidationReport report_on(std::vector<CheckTarget> targets, const Settings& settings = {},
                                   unsigned threads = 1) {
   ValidationRequest request;
-  request.targets = std::move(targets);
+  request.inputs.targets = std::move(targets);
   request.config.settings = settings;
-  request.door = picture_door();
-  request.threads = threads;
+  request.run.door = picture_door();
+  request.run.threads = threads;
   return validate(std::move(request));
 }
 

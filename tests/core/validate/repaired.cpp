@@ -39,10 +39,10 @@ Planted doubled_patch(Random& random) {
 
 RepairedFolder repair_folder(const std::string& from, const std::string& to, const std::string& material) {
   ValidationRequest request;
-  request.paths = {from};
-  request.manifest.material = material;
+  request.inputs.paths = {from};
+  request.inputs.manifest.material = material;
   request.config.root = from;
-  request.door = picture_door();
+  request.run.door = picture_door();
   RepairedFolder out;
   ValidationRequest again = request;
   out.before = validate(std::move(request));
@@ -52,7 +52,7 @@ RepairedFolder repair_folder(const std::string& from, const std::string& to, con
   how.folder = to;
   out.report = repair_files(out.before, how, copies);
   copies.commit();
-  again.paths = {to};
+  again.inputs.paths = {to};
   again.config.root = to;
   out.after = validate(std::move(again));
   return out;

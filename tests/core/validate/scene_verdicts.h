@@ -36,9 +36,9 @@ inline std::string text_of(const Told& all) {
 
 inline ValidationReport said_of(const std::string& path) {
   ValidationRequest request;
-  request.paths = {path};
-  request.door = picture_door();
-  request.threads = 2;
+  request.inputs.paths = {path};
+  request.run.door = picture_door();
+  request.run.threads = 2;
   return validate(request);
 }
 

@@ -64,7 +64,7 @@ TEST_CASE("what is found while packing is what validate() finds in the atlas on 
   CHECK(packed.failed);
   CHECK(contains(packed.report.validation, "ETK101"));
   ValidationRequest request;
-  request.paths = {folder.file("atlas/layout.json")};
+  request.inputs.paths = {folder.file("atlas/layout.json")};
   request.config.root = folder.path();
   const ValidationReport again = validate(request);
   REQUIRE(again.files.size() == 2);

@@ -28,9 +28,9 @@ void make(const TempFolder& folder, const std::vector<std::string>& names) {
 
 FoundTargets found_in(const TempFolder& folder, std::vector<std::string> paths, unsigned threads = 1) {
   ValidationRequest request;
-  request.paths = std::move(paths);
+  request.inputs.paths = std::move(paths);
   request.config.root = folder.path();
-  request.threads = threads;
+  request.run.threads = threads;
   request.list_files = true;
   return find_targets(request);
 }
@@ -123,7 +123,7 @@ TEST_CASE("any number of threads finds the same in a large folder with a bit of 
   for (const std::string& name : names) paths.push_back(folder.file(name));
   std::ranges::reverse(paths);
   ValidationRequest request;
-  request.listed = std::move(paths);
+  request.inputs.listed = std::move(paths);
   request.config.root = folder.path();
   request.list_files = true;
   CHECK(told(find_targets(request)) == expected);

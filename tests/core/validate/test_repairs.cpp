@@ -112,7 +112,7 @@ TEST_CASE("findings that are allowed, and floats, are left as they are") {
   const Planted planted = curve_of_normals<std::uint8_t>(random, srgb_encode);
   put_pictures(folder.file("in"), planted.wrong);
   ValidationRequest request;
-  request.paths = {folder.file("in")};
+  request.inputs.paths = {folder.file("in")};
   request.config.root = folder.file("in");
   request.config.settings.allow.push_back({"ETK704", "*_normal.png", "", "", "stylised", ""});
   const ValidationReport report = validate(std::move(request));

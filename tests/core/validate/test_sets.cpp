@@ -327,9 +327,9 @@ TEST_CASE("pictures that a manifest of the packer names are not called unknown")
   save(folder.file("gold_gloss.png"), flat(8, 8, {120}));
   const auto report = [&] {
     ValidationRequest request;
-    request.paths = {folder.path()};
+    request.inputs.paths = {folder.path()};
     request.config.root = folder.path();
-    request.door = picture_door();
+    request.run.door = picture_door();
     return validate(std::move(request));
   };
   CHECK(report().unknown == std::vector<std::string>{"gold_gloss.png"});
@@ -337,7 +337,7 @@ TEST_CASE("pictures that a manifest of the packer names are not called unknown")
     {"name": "gold", "diffuse": 0, "specular": "gold", "gloss": {"image": "gold_gloss.png"}}]})");
   CHECK(report().unknown.empty());
   ValidationRequest request;
-  request.paths = {folder.path()};
+  request.inputs.paths = {folder.path()};
   request.config.root = folder.path();
   const FileList list = list_files(std::move(request));
   REQUIRE(list.files.size() == 1);

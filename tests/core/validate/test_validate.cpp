@@ -31,9 +31,9 @@ void write_pair(const TempFolder& folder, const std::string& name, std::uint64_t
 
 ValidationRequest request_for(const TempFolder& folder) {
   ValidationRequest request;
-  request.paths = {folder.path()};
+  request.inputs.paths = {folder.path()};
   request.config.root = folder.path();
-  request.version = "test";
+  request.memory.version = "test";
   return request;
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("a folder is searched: pairs go together, what no rule is about and wh
 TEST_CASE("what was named and cannot be checked makes a report incomplete") {
   const TempFolder folder;
   ValidationRequest request = request_for(folder);
-  request.paths = {folder.file("absent.png")};
+  request.inputs.paths = {folder.file("absent.png")};
   const ValidationReport report = validate(request);
   CHECK(report.run.failed == 1);
   CHECK(report.incomplete);
@@ -110,7 +110,7 @@ TEST_CASE("the decoder is asked for what is no plain PNG, and without one that i
   write_pair(folder, "crate", 1);
   int asked = 0;
   ValidationRequest request = request_for(folder);
-  request.door.file = [&](const std::string&) {
+  request.run.door.file = [&](const std::string&) {
     ++asked;
     const Image8 pixels(64, 64, 4, 90);
     Picture out{header_of(pixels), pixels};
@@ -122,7 +122,7 @@ TEST_CASE("the decoder is asked for what is no plain PNG, and without one that i
   spit(folder.file("other_spec.tif"), "II*");
   CHECK(find_in_report(validate(request), "ETK001") == nullptr);
   CHECK(asked > 0);
-  request.door = {};
+  request.run.door = {};
   const ValidationReport report = validate(request);
   REQUIRE(find_in_report(report, "ETK001") != nullptr);
   CHECK(contains(find_in_report(report, "ETK001")->message, "needs a decoder of pictures"));
@@ -133,7 +133,7 @@ TEST_CASE("results are taken from the cache, but not those of other settings, ve
   for (int i = 0; i < 3; ++i) write_pair(folder, "m" + std::to_string(i), static_cast<std::uint64_t>(i));
   ValidationRequest request = request_for(folder);
   const ValidationReport fresh = validate(request);
-  request.cache.path = cache.file("results");
+  request.memory.cache.path = cache.file("results");
   CHECK(validate(request).run.from_cache == 0);
   const ValidationReport again = validate(request);
   CHECK(again.run.from_cache == 3);
@@ -142,8 +142,8 @@ TEST_CASE("results are taken from the cache, but not those of other settings, ve
   write_pair(folder, "m1", 9);
   CHECK(validate(request).run.from_cache == 2);
   for (auto change : std::vector<std::function<void(ValidationRequest&)>>{
-           [](ValidationRequest& r) { r.version = "other"; },
-           [](ValidationRequest& r) { r.cache.key = "0123456789abcdef"; },
+           [](ValidationRequest& r) { r.memory.version = "other"; },
+           [](ValidationRequest& r) { r.memory.cache.key = "0123456789abcdef"; },
            [](ValidationRequest& r) { r.config.settings.profile = Profile::strict; }}) {
     ValidationRequest other = request;
     change(other);
@@ -156,10 +156,10 @@ TEST_CASE("progress is told by the caller's thread, rises, and ends with all che
   for (int i = 0; i < 6; ++i) write_pair(folder, "m" + std::to_string(i), static_cast<std::uint64_t>(i));
   for (const unsigned threads : {1u, 3u}) {
     ValidationRequest request = request_for(folder);
-    request.threads = threads;
+    request.run.threads = threads;
     std::vector<std::size_t> told;
     std::set<std::thread::id> tellers;
-    request.progress = [&](std::size_t done, std::size_t all) {
+    request.run.progress = [&](std::size_t done, std::size_t all) {
       CHECK(all == 6);
       told.push_back(done);
       tellers.insert(std::this_thread::get_id());
@@ -177,7 +177,7 @@ TEST_CASE("a check that is stopped says so and holds what was done") {
   for (int i = 0; i < 4; ++i) write_pair(folder, "m" + std::to_string(i), static_cast<std::uint64_t>(i));
   ValidationRequest request = request_for(folder);
   int asked = 0;
-  request.stop = [&] { return ++asked > 2; };
+  request.run.stop = [&] { return ++asked > 2; };
   const ValidationReport report = validate(request);
   CHECK(paths_of(report) == std::vector<std::string>{"m0_diff.png", "m1_diff.png"});
   CHECK(report.stopped);
@@ -191,16 +191,16 @@ TEST_CASE("what is known and what is allowed is marked and does not count") {
   ValidationRequest request = request_for(folder);
   const ValidationReport fresh = validate(request);
   REQUIRE(fresh.errors > 0);
-  request.renew_known = true;
+  request.allowed.renew_known = true;
   CHECK(validate(request).passed);
-  request.renew_known = false;
-  request.known = baseline_of(fresh);
+  request.allowed.renew_known = false;
+  request.allowed.known = baseline_of(fresh);
   CHECK(validate(request).errors == 0);
-  request.known.clear();
+  request.allowed.known.clear();
   request.config.settings.allow = {{"ETK1", "", "", "", "made up", "2020-01-01"}};
-  request.today = "2019-12-31";
+  request.allowed.today = "2019-12-31";
   CHECK(find_in_report(validate(request), "ETK101")->suppressed);
-  request.today = "2020-01-02";
+  request.allowed.today = "2020-01-02";
   CHECK(!find_in_report(validate(request), "ETK101")->suppressed);
 }
 
@@ -211,8 +211,8 @@ TEST_CASE("materials of a project are checked by the same door, in the order of 
   zone.specular = {0.3, 0.3, 0.3};
   plain.name = "clean";
   plain.diffuse = {0.3, 0.2, 0.1};
-  request.materials.materials = {zone, plain};
-  request.materials.library = std::make_shared<const MaterialLibrary>(MaterialLibrary::builtin());
+  request.inputs.materials.materials = {zone, plain};
+  request.inputs.materials.library = std::make_shared<const MaterialLibrary>(MaterialLibrary::builtin());
   const ValidationReport report = validate(request);
   CHECK(paths_of(report) == std::vector<std::string>{"clean", "impossible"});
   REQUIRE(find_in_report(report, "ETK101") != nullptr);
