@@ -14,22 +14,13 @@
 namespace etak {
 namespace {
 
-std::uint64_t area(const PixelBox& box) {
-  return static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
-}
-
 PixelBox whole(const MaterialFacts& m) {
   return {0, 0, m.width, m.height};
 }
 
-PixelBox around(const PixelBox& a, const PixelBox& b) {
-  const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
-  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
 std::uint64_t area(const std::vector<PixelBox>& boxes) {
   std::uint64_t sum = 0;
-  for (const PixelBox& box : boxes) sum += area(box);
+  for (const PixelBox& box : boxes) sum += box.area();
   return sum;
 }
 
@@ -146,8 +137,8 @@ bool is_worth_it(const Remaining& left, const std::vector<Parts>& read, std::siz
   const auto box = [&](std::size_t i) {
     return left.options.leaves("crop") ? left.materials[i].crop : whole(left.materials[i]);
   };
-  return area(around(box(user), box(with))) * textures(read_by_either) <=
-         area(box(user)) * of_user + area(box(with)) * of_owner;
+  return around(box(user), box(with)).area() * textures(read_by_either) <=
+         box(user).area() * of_user + box(with).area() * of_owner;
 }
 
 void share_equal(Remaining& left) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +13,29 @@ namespace etak {
 /// A rectangle of pixels: columns x .. x + width - 1 of rows y .. y + height - 1.
 struct PixelBox {
   int x = 0, y = 0, width = 0, height = 0;
+  std::uint64_t area() const {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  }
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
+
+/// The smallest box that holds both.
+inline PixelBox around(const PixelBox& a, const PixelBox& b) {
+  const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+/// What two boxes have in common; width or height 0 where that is nothing.
+inline PixelBox common_part(const PixelBox& a, const PixelBox& b) {
+  const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+  return {x, y, std::max(0, std::min(a.x + a.width, b.x + b.width) - x),
+          std::max(0, std::min(a.y + a.height, b.y + b.height) - y)};
+}
+
+/// The box with `margin` pixels more on every side.
+inline PixelBox grown(const PixelBox& box, int margin) {
+  return {box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin};
+}
 
 /// A view of pixels whose memory belongs to somebody else: a whole picture, or a box of one. Rows are
 /// `stride` values apart.

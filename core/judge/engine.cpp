@@ -98,7 +98,8 @@ Needs needs_of(const CheckTarget& target, const Settings& settings) {
                   file.role == FileRole::scene;
     maps = maps || file.role == FileRole::scene || is_map(file.role);
     materials = materials || file.role == FileRole::material || file.role == FileRole::spectrum;
-    pictures = pictures || file.role <= FileRole::roughness || file.role == FileRole::scene;
+    pictures =
+        pictures || (is_judged(file.role) && file.role != FileRole::gloss) || file.role == FileRole::scene;
   }
   const bool atlas = !target.manifest.tiles.empty();
   const bool named = !target.manifest.material.empty() || !target.manifest.surface_class.empty() ||
@@ -311,9 +312,7 @@ Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const C
       PictureRows rows = pictures.rows();
       pixel_pass(rows, {&tile, 1}, {false}, part);
     }
-    demote_small_groups(
-        out, box,
-        least_region(plan.zone, static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height)));
+    demote_small_groups(out, box, least_region(plan.zone, box.area()));
   }
   return out;
 }

@@ -1,46 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/judge/target.h"
 
-#include <array>
-#include <utility>
+#include <algorithm>
 
 namespace etak {
 
 namespace {
 
-constexpr auto roles =
-    std::to_array<std::pair<FileRole, std::string_view>>({{FileRole::diffuse_alpha, "diffuse"},
-                                                          {FileRole::specular_gloss, "specular"},
-                                                          {FileRole::f0_only, "f0"},
-                                                          {FileRole::base_color, "base-color"},
-                                                          {FileRole::metal_rough, "metal-rough"},
-                                                          {FileRole::metallic, "metallic"},
-                                                          {FileRole::roughness, "roughness"},
-                                                          {FileRole::gloss, "gloss"},
-                                                          {FileRole::layout, "layout"},
-                                                          {FileRole::scene, "scene"},
-                                                          {FileRole::material, "material"},
-                                                          {FileRole::spectrum, "spectrum"},
-                                                          {FileRole::normal, "normal"},
-                                                          {FileRole::height, "height"},
-                                                          {FileRole::occlusion, "occlusion"},
-                                                          {FileRole::emissive, "emissive"},
-                                                          {FileRole::opacity, "opacity"},
-                                                          {FileRole::other, "other"},
-                                                          {FileRole::ignored, "ignore"}});
-
-std::optional<FileRole> role_in(std::string_view text, bool (*wanted)(FileRole)) {
-  for (const auto& [value, row] : roles)
-    if (row == text && wanted(value)) return value;
-  return std::nullopt;
-}
+constexpr RoleTraits roles[] = {
+    {FileRole::diffuse_alpha, "diffuse", RoleKind::pair},
+    {FileRole::specular_gloss, "specular", RoleKind::pair},
+    {FileRole::f0_only, "f0", RoleKind::pair},
+    {FileRole::base_color, "base-color", RoleKind::metal_rough},
+    {FileRole::metal_rough, "metal-rough", RoleKind::metal_rough, true},
+    {FileRole::metallic, "metallic", RoleKind::metal_rough, true},
+    {FileRole::roughness, "roughness", RoleKind::metal_rough, true},
+    {FileRole::gloss, "gloss", RoleKind::metal_rough, true},
+    {FileRole::layout, "layout", RoleKind::document},
+    {FileRole::scene, "scene", RoleKind::document},
+    {FileRole::material, "material", RoleKind::document},
+    {FileRole::spectrum, "spectrum", RoleKind::document},
+    {FileRole::normal, "normal", RoleKind::map},
+    {FileRole::height, "height", RoleKind::map},
+    {FileRole::occlusion, "occlusion", RoleKind::map},
+    {FileRole::emissive, "emissive", RoleKind::map},
+    {FileRole::opacity, "opacity", RoleKind::named},
+    {FileRole::other, "other", RoleKind::named},
+    {FileRole::ignored, "ignore", RoleKind::named},
+};
 
 }  // namespace
 
+const RoleTraits& traits(FileRole role) {
+  return *std::ranges::find(roles, role, &RoleTraits::role);
+}
+
 std::string_view name(FileRole role) {
-  for (const auto& [value, text] : roles)
-    if (value == role) return text;
-  return "";
+  return traits(role).name;
+}
+
+std::optional<FileRole> role_named(std::string_view text) {
+  for (const RoleTraits& each : roles)
+    if (each.name == text && (is_judged(each.role) || each.kind == RoleKind::document))
+      return each.role == FileRole::gloss ? std::nullopt : std::optional(each.role);
+  return std::nullopt;
+}
+
+std::optional<FileRole> picture_role_named(std::string_view text) {
+  for (const RoleTraits& each : roles)
+    if (each.name == text && is_picture(each.role)) return each.role;
+  return std::nullopt;
+}
+
+bool is_judged(FileRole role) {
+  const RoleKind kind = traits(role).kind;
+  return kind == RoleKind::pair || kind == RoleKind::metal_rough;
+}
+
+bool is_map(FileRole role) {
+  return traits(role).kind == RoleKind::map;
+}
+
+bool is_picture(FileRole role) {
+  return traits(role).kind != RoleKind::document;
 }
 
 std::string_view name(GreenAxis green) {
@@ -53,26 +75,6 @@ std::string_view name(GreenAxis green) {
       break;
   }
   return "";
-}
-
-std::optional<FileRole> role_named(std::string_view text) {
-  return role_in(text, [](FileRole role) { return role <= FileRole::spectrum && role != FileRole::gloss; });
-}
-
-std::optional<FileRole> picture_role_named(std::string_view text) {
-  return role_in(text, [](FileRole role) { return role <= FileRole::gloss || role > FileRole::spectrum; });
-}
-
-bool is_judged(FileRole role) {
-  return role <= FileRole::gloss;
-}
-
-bool is_map(FileRole role) {
-  return role >= FileRole::normal && role <= FileRole::emissive;
-}
-
-bool is_picture(FileRole role) {
-  return is_judged(role) || role > FileRole::spectrum;
 }
 
 std::string CheckTarget::own_label() const {

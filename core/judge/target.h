@@ -42,7 +42,21 @@ enum class FileRole {
   other,    // cavity, masks, translucency, ...
   ignored,  // left out by [names] of etak.toml
 };
-// "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
+
+/// What files of a role are: a picture of a diffuse and specular pair or of a metal-rough set, a map beside these, a
+/// document, or a picture that no rule judges.
+enum class RoleKind { pair, metal_rough, map, document, named };
+
+/// All that is known of a role.
+///   name   "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
+///   data   the picture holds metal or roughness, which have no transfer curve
+struct RoleTraits {
+  FileRole role;
+  std::string_view name;
+  RoleKind kind;
+  bool data = false;
+};
+const RoleTraits& traits(FileRole role);
 std::string_view name(FileRole role);
 // The role of that name, among those that are judged; gloss alone is none of them.
 std::optional<FileRole> role_named(std::string_view text);

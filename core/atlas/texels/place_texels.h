@@ -96,11 +96,6 @@ void place_picture(const Pixels<Value>& picture, const PixelBox& box, const Wrap
       if (row < 0 || row >= box.height || column < 0 || column >= box.width) around(column, row);
 }
 
-/// The box with `gutter` texels more on every side.
-inline PixelBox grown(const PixelBox& box, int gutter) {
-  return {box.x - gutter, box.y - gutter, box.width + 2 * gutter, box.height + 2 * gutter};
-}
-
 /// A region on a level of its page: its texels, and the cell around them.
 struct LevelBoxes {
   PixelBox part, cell;

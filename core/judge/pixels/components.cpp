@@ -17,11 +17,6 @@ bool larger_first(const Plateau& a, const Plateau& b) {
          std::tuple(a.area, b.box.y, b.box.x, b.box.width);
 }
 
-PixelBox around(const PixelBox& a, const PixelBox& b) {
-  const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
-  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
 // How the codes change beyond the end of a run: not at all, in few steps, or in many.
 enum class End { border, hard, soft };
 

@@ -29,18 +29,11 @@ void mix(std::array<std::uint64_t, 2>& hash, const std::uint8_t* bytes, std::siz
   }
 }
 
-// The box with `around` more texels on every side, inside a picture.
-PixelBox grown_inside(const PixelBox& box, int around, int width, int height) {
-  const int x = std::max(0, box.x - around), y = std::max(0, box.y - around);
-  return {x, y, std::min(width, box.x + box.width + around) - x,
-          std::min(height, box.y + box.height + around) - y};
-}
-
 }  // namespace
 
 TileFrame::TileFrame(const CheckTile& whole, int picture_width, int picture_height, const PassPlan& plan)
     : tile_(whole.box),
-      own_(grown_inside(whole.box, whole.own_around, picture_width, picture_height)),
+      own_(common_part(grown(whole.box, whole.own_around), {0, 0, picture_width, picture_height})),
       width_(picture_width),
       height_(picture_height),
       gutter_(plan.gutter_of(whole)),

@@ -101,10 +101,8 @@ TilePass::TilePass(const CheckTile& tile, const PassPlan& plan, int strip_rows, 
   if (plan.fringe) invisible_.resize(words_ * 4 * static_cast<std::size_t>(strip_rows));
   if (!plan.kinds.empty()) {
     masks_.resize(2 * static_cast<std::size_t>(strip_rows) * plan.kinds.size() * words_);
-    regions_ = std::make_unique<RegionAnalysis>(
-        box, plan.kinds, plan.zone.erode,
-        least_region(plan.zone, static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height)),
-        *plan.tables);
+    regions_ = std::make_unique<RegionAnalysis>(box, plan.kinds, plan.zone.erode,
+                                                least_region(plan.zone, box.area()), *plan.tables);
     if (plan.recorder) regions_->record(plan.recorder);
   }
 }

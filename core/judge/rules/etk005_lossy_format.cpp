@@ -17,7 +17,7 @@ constinit const Rule etk005_lossy_format{
     .check = [](RuleCheck& check) {
       for (const PictureEvidence& picture : check.evidence.headers) {
         const bool holds_f0 = picture.role == FileRole::specular_gloss || picture.role == FileRole::f0_only ||
-                              (picture.role >= FileRole::metal_rough && picture.role <= FileRole::roughness);
+                              (traits(picture.role).data && picture.role != FileRole::gloss);
         if (!picture.header.lossy || !holds_f0) continue;
         Finding& finding = check.report(picture);
         finding.value = picture.header.format;

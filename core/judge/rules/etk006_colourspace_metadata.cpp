@@ -25,7 +25,7 @@ constinit const Rule etk006_colourspace_metadata{
         // Roughness and metallic have no curve; an sRGB chunk of PNG on them is common and wrong. Colour profiles
         // on them are let pass, because editors of pictures put them into all files, and so are profiles whose
         // curves cannot be read.
-        const bool data = picture.role >= FileRole::metal_rough && picture.role <= FileRole::roughness;
+        const bool data = traits(picture.role).data && picture.role != FileRole::gloss;
         const std::string expected(data ? "linear" : name(check.settings.transfer));
         const bool right_curve = curve.empty() || curve == expected || curve.starts_with("icc") ||
                                  (data && !primaries.empty()) || (curve == "power-2.2" && expected == "srgb");

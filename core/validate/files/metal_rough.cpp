@@ -50,7 +50,7 @@ LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pic
 }
 
 bool MetalRoughSet::is_part(FileRole role) {
-  return role >= FileRole::base_color && role <= FileRole::gloss;
+  return traits(role).kind == RoleKind::metal_rough;
 }
 
 bool MetalRoughSet::is_set(const CheckTarget& target) {

@@ -21,22 +21,6 @@ namespace etak {
 
 namespace {
 
-std::uint64_t area_of(const PixelBox& box) {
-  return static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
-}
-
-// Width and height 0 where the two have nothing in common.
-PixelBox common_part(const PixelBox& a, const PixelBox& b) {
-  const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
-  return {x, y, std::max(0, std::min(a.x + a.width, b.x + b.width) - x),
-          std::max(0, std::min(a.y + a.height, b.y + b.height) - y)};
-}
-
-PixelBox around(const PixelBox& a, const PixelBox& b) {
-  const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
-  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
 // Where a part of a region's crop lies on its page; a region may be stored with fewer texels.
 PixelBox on_page(const PixelBox& part, const AtlasRect& rect) {
   const int width = rect.rotated ? rect.height : rect.width, height = rect.rotated ? rect.width : rect.height;
@@ -89,7 +73,7 @@ std::vector<InRegion> in_regions(const std::vector<FoundPart>& parts, const std:
     const AtlasRect* whole = nullptr;
     for (const AtlasRect& rect : rects)
       if (common_part(part.box, rect.crop) == part.box &&
-          (whole == nullptr || area_of(rect.crop) < area_of(whole->crop)))
+          (whole == nullptr || rect.crop.area() < whole->crop.area()))
         whole = &rect;
     if (whole != nullptr) {
       add(static_cast<std::size_t>(whole - rects.data()), part.box, static_cast<double>(part.area));
@@ -98,8 +82,8 @@ std::vector<InRegion> in_regions(const std::vector<FoundPart>& parts, const std:
     for (std::size_t r = 0; r < rects.size(); ++r)
       if (const PixelBox common = common_part(part.box, rects[r].crop); common.width > 0 && common.height > 0)
         add(r, common,
-            static_cast<double>(part.area) * static_cast<double>(area_of(common)) /
-                static_cast<double>(area_of(part.box)));
+            static_cast<double>(part.area) * static_cast<double>(common.area()) /
+                static_cast<double>(part.box.area()));
   }
   std::erase_if(out, [](const InRegion& each) { return each.box.width == 0; });
   return out;

@@ -16,7 +16,7 @@ bool is_color(FileRole role) {
 
 // Whether pictures of this role are judged together with a colour.
 bool is_part(FileRole role) {
-  return role == FileRole::specular_gloss || (role >= FileRole::metal_rough && role <= FileRole::gloss);
+  return role == FileRole::specular_gloss || traits(role).data;
 }
 
 // Whether the roles may be taken from names that are no proof alone. They need a picture of another role

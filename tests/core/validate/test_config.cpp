@@ -85,7 +85,8 @@ expires = 2027-03-04
 TEST_CASE("endings of a project's own are read with their role or their channels") {
   const ValidateConfig config = parse_config(R"toml(
 [names]
-_Alb = "base_colorbase color" = "base-color"
+_Alb = "base_color"
+"base color" = "base-color"
 _pbr = { channels = ["roughness", "none", "metallic"] }
 _prev = "ignore"
 )toml",
