@@ -162,17 +162,17 @@ class Filling {
   }
 
   std::string filled(std::string_view line) const {
-    std::string out;
+    std::string text;
     for (std::size_t at = 0; (at = line.find("@{")) != line.npos;) {
-      out += line.substr(0, at);
+      text += line.substr(0, at);
       Words asked = parts_of(line.substr(at + 2, line.find('}', at) - at - 2), ' ');
       Words words = values_.at(asked.front());
       for (std::string& word : words)
         for (std::size_t i = 1; i < asked.size(); ++i) word = quoted(word, asked[i], plan_);
-      out += joined(words, " ");
+      text += joined(words, " ");
       line.remove_prefix(line.find('}', at) + 1);
     }
-    return out.append(line);
+    return text.append(line);
   }
 
   const RunPlan& plan_;

@@ -8,6 +8,7 @@
 #include "core/atlas/outputs.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/source.h"
+#include "core/atlas/texels/page_pixels.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/output_folder.h"

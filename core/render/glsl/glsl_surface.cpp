@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/render/environment.h"
+#include "core/render/glsl/glsl_camera.h"
 #include "core/render/glsl/glsl_lights.h"
 #include "core/render/glsl/glsl_model.h"
 #include "core/render/glsl/glsl_source.h"

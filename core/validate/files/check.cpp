@@ -15,6 +15,7 @@
 #include "core/validate/files/page_parts.h"
 #include "core/validate/files/scene_check.h"
 #include "core/validate/files/scene_use.h"
+#include "core/validate/files/tiles.h"
 
 namespace etak {
 

@@ -14,6 +14,7 @@
 #include "core/base/files/steady_file.h"
 #include "core/base/setting.h"
 #include "core/image/files/png_keep.h"
+#include "core/scene/image_roles.h"
 
 namespace etak {
 namespace {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/atlas/outputs.h"
 #include "core/atlas/pack/scene/gltf_pack.h"
 #include "core/atlas/pack/scene/scene_maps.h"
 #include "core/base/files/output_folder.h"
