@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/judge/check_pictures.h"
+#include "core/judge/engine.h"
 #include "core/validate/files/layout_targets.h"
 
 using namespace etak;
