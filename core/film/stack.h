@@ -59,9 +59,11 @@ FilmLight film_light(const Film& film, double wavelength_nm, double cosine);
 
 /// A film over a spectrum: arrays of one length, a number for each wavelength.
 struct FilmSpectra {
+  /// n and k of a medium; an empty k is 0 everywhere.
   struct Medium {
-    std::span<const double> n, k;  // k empty: 0
+    std::span<const double> n, k;
   };
+  /// A layer, as FilmLayer has it.
   struct Layer {
     Medium medium;
     double thickness_nm = 0;

@@ -46,11 +46,12 @@
 //   etak::Error  model_values() and glsl_text(): unknown parameters, values out of range, no model
 //
 // models() and terms() list what there is, with sources and with what each model claims; both live as long as
-// the program. <etak/render.h> draws a Scene.
+// the program. film_light() has the reflectance of layers on a base. <etak/render.h> draws a Scene.
 
 #include "core/base/error.h"
 #include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
+#include "core/film/stack.h"
 #include "core/fresnel/fresnel.h"
 #include "core/fresnel/solve_index.h"
 #include "core/light/lights.h"
