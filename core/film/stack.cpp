@@ -23,17 +23,6 @@ using text::Complex;
 using text::FilmPair;
 using text::FilmWave;
 
-// What coherent layers between two media do to waves of one polarisation that come from above and from below.
-struct Run {
-  double above, below;  // reflectances
-  double through;       // the square of the amplitude from the upper to the lower side
-  double both_ways;     // that of the amplitudes through and back
-};
-
-double squared(const Complex& z) {
-  return complex_square(z);
-}
-
 // The waves from the medium above some layers to the one below.
 struct Waves {
   std::vector<FilmWave> waves;
@@ -53,7 +42,7 @@ std::pair<FilmPair, FilmPair> amplitudes(const Waves& all, bool reversed) {
   for (std::size_t j = last - 1; j > 0; --j) {
     const FilmWave& layer = wave(j);
     const double turns = all.turns[reversed ? last - 1 - j : j - 1];
-    const Complex way = film_way_back(layer, turns), once = film_way_back(layer, turns / 2);
+    const Complex way = film_way_back(layer.s, turns), once = film_way_back(layer.s, turns / 2);
     const FilmPair upper = film_interface(wave(j - 1), layer);
     const auto pass = [&](const Complex& from, const Complex& to, const Complex& above, const Complex& below,
                           const Complex& next) {
@@ -67,32 +56,26 @@ std::pair<FilmPair, FilmPair> amplitudes(const Waves& all, bool reversed) {
   return {r, t};
 }
 
-struct Runs {
-  Run s, p;
-};
-
-Runs run_of(const Waves& waves) {
-  const auto [down, through] = amplitudes(waves, false);
-  const auto [up, back] = amplitudes(waves, true);
-  const auto run = [](const Complex& above, const Complex& below, const Complex& t, const Complex& t_back) {
-    return Run{squared(above), squared(below), squared(t), squared(t) * squared(t_back)};
-  };
-  return {run(down.s, up.s, through.s, back.s), run(down.p, up.p, through.p, back.p)};
-}
-
-// Reflectance, and the share through but for the ratio of the outermost media, of a run above a thick layer.
-//   below   of what lies beneath that layer
-//   keeps   the share of light that the layer leaves on one way
+// Intensities at the upper side of some layers.
+//   reflected   a share of light
+//   through     the squared amplitude that passes to the base; times Re(base) / Re(above) it is a share
 struct Intensity {
   double reflected, through;
 };
 
-Intensity over_thick(const Run& run, const Intensity& below, double keeps) {
+// Coherent layers above a thick one, for one polarisation.
+//   r, t         amplitudes that they reflect and let pass of light from above
+//   r_up, t_up   amplitudes of light from below
+//   below        of what lies beneath the thick layer
+//   keeps        the share of light that the thick layer leaves on one way
+Intensity over_thick(const Complex& r, const Complex& t, const Complex& r_up, const Complex& t_up,
+                     const Intensity& below, double keeps) {
   const double back = below.reflected * keeps * keeps;
-  // What the run does not send down again is at least what it lets pass. Where that is nearly nothing the difference has
-  // lost it.
-  const double leaves = std::max({1 - run.below * back, std::sqrt(run.both_ways), 1e-300});
-  return {run.above + run.both_ways * back / leaves, run.through * keeps * below.through / leaves};
+  const double through = complex_square(t), both_ways = through * complex_square(t_up);
+  // What the layers do not send down again is at least what they let pass. Where that is nearly nothing the
+  // difference has lost it.
+  const double leaves = std::max({1 - complex_square(r_up) * back, std::sqrt(both_ways), 1e-300});
+  return {complex_square(r) + both_ways * back / leaves, through * keeps * below.through / leaves};
 }
 
 std::string layer_name(std::string_view place, std::size_t i) {
@@ -135,9 +118,15 @@ FilmLight film_light(const Film& film, double wavelength_nm, double cosine) {
   const auto finish = [&] {
     std::reverse(run.waves.begin(), run.waves.end());
     std::reverse(run.turns.begin(), run.turns.end());
-    const Runs both = run_of(run);
-    s = on_base ? Intensity{both.s.above, both.s.through} : over_thick(both.s, s, keeps);
-    p = on_base ? Intensity{both.p.above, both.p.through} : over_thick(both.p, p, keeps);
+    const auto [r, t] = amplitudes(run, false);
+    if (on_base) {
+      s = {complex_square(r.s), complex_square(t.s)};
+      p = {complex_square(r.p), complex_square(t.p)};
+      return;
+    }
+    const auto [r_up, t_up] = amplitudes(run, true);
+    s = over_thick(r.s, t.s, r_up.s, t_up.s, s, keeps);
+    p = over_thick(r.p, t.p, r_up.p, t_up.p, p, keeps);
   };
   for (std::size_t i = film.layers.size(); i-- > 0;) {
     const FilmLayer& layer = film.layers[i];

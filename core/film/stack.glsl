@@ -26,6 +26,13 @@ Complex complex_sum(Complex a, Complex b) {
   return sum;
 }
 
+Complex complex_difference(Complex a, Complex b) {
+  Complex difference;
+  difference.re = a.re - b.re;
+  difference.im = a.im - b.im;
+  return difference;
+}
+
 Complex complex_quotient(Complex a, Complex b) {
   real inverse = 1 / max(b.re * b.re + b.im * b.im, tiny);
   Complex quotient;
@@ -39,13 +46,12 @@ real complex_square(Complex a) {
 }
 
 // A wave in a medium.
-//   n, k   of the medium
+//   index  N of the medium
 //   q      n0^2 times the squared sine of incidence, which all media of a stack have alike
 //   w      1 / N^2
 //   s, p   N cos and cos / N, by which media differ for light polarised across and along the plane of incidence
 struct FilmWave {
-  real n;
-  real k;
+  Complex index;
   real q;
   Complex w;
   Complex s;
@@ -56,8 +62,8 @@ struct FilmWave {
 // n^2 - k^2 - q, at grazing angles (n - n0)(n + n0) - k^2 + (n0 c)^2.
 FilmWave film_wave(real n0, real c, real n, real k) {
   FilmWave wave;
-  wave.n = n;
-  wave.k = k;
+  wave.index.re = n;
+  wave.index.im = k;
   wave.q = n0 * n0 * ((1 - c) * (1 + c));
   real grazing = n0 * c * (n0 * c);
   real excess = (n - n0) * (n + n0);
@@ -85,13 +91,7 @@ struct FilmPair {
 // What an interface reflects of a wave in `a` that meets `b`. Differences are formed from N_a - N_b alone, so that media
 // of nearly the same index keep their digits: (a - b) / (a + b) = (a^2 - b^2) / (a + b)^2, and the same for cos / N.
 FilmPair film_interface(FilmWave a, FilmWave b) {
-  Complex difference;
-  difference.re = a.n - b.n;
-  difference.im = a.k - b.k;
-  Complex sum;
-  sum.re = a.n + b.n;
-  sum.im = a.k + b.k;
-  Complex squares = complex_product(difference, sum);
+  Complex squares = complex_product(complex_difference(a.index, b.index), complex_sum(a.index, b.index));
   Complex s = complex_sum(a.s, b.s);
   Complex p = complex_sum(a.p, b.p);
   Complex brewster;
@@ -105,16 +105,18 @@ FilmPair film_interface(FilmWave a, FilmWave b) {
 }
 
 // The amplitude that a wave keeps on its way through a layer and back, exp(2 i phase).
+//   s       N cos of the wave in the layer
 //   turns   2 pi times the layer's thickness over the wavelength in vacuum
-Complex film_way_back(FilmWave layer, real turns) {
-  real decay = exp(-2 * turns * layer.s.im);
-  real angle = 2 * turns * layer.s.re;
+Complex film_way_back(Complex s, real turns) {
+  real decay = exp(-2 * turns * s.im);
+  real angle = 2 * turns * s.re;
   Complex way;
   way.re = decay * cos(angle);
   way.im = decay * sin(angle);
   return way;
 }
 
+// The amplitude that a layer reflects whose upper side reflects `above` and whose lower side `below`.
 Complex film_joined(Complex above, Complex below, Complex way) {
   Complex back = complex_product(below, way);
   Complex under = complex_product(above, back);
@@ -132,38 +134,8 @@ FilmPair film_layer(FilmPair interface, FilmPair below, Complex way) {
   return r;
 }
 
-// Reflectance for unpolarised light.
-real film_mean(FilmPair r) {
-  return (complex_square(r.s) + complex_square(r.p)) / 2;
-}
-
-// One layer on a base.
-//   n1, k1, turns1   of the layer
-//   n, k             of the base
-real film_reflectance(real n0, real n1, real k1, real turns1, real n, real k, real c) {
-  FilmWave outside = film_wave(n0, c, n0, real(0));
-  FilmWave layer = film_wave(n0, c, n1, k1);
-  FilmPair below = film_interface(layer, film_wave(n0, c, n, k));
-  return film_mean(film_layer(film_interface(outside, layer), below, film_way_back(layer, turns1)));
-}
-
-// At normal incidence, where both polarisations are one and the waves' N cos is N.
-//   n, k, m, l   of the media above and below
-Complex film_interface_ahead(real n, real k, real m, real l) {
-  Complex difference;
-  difference.re = n - m;
-  difference.im = k - l;
-  Complex sum;
-  sum.re = n + m;
-  sum.im = k + l;
-  return complex_quotient(difference, sum);
-}
-
-Complex film_way_back_ahead(real n, real k, real turns) {
-  real decay = exp(-2 * turns * k);
-  real angle = 2 * turns * n;
-  Complex way;
-  way.re = decay * cos(angle);
-  way.im = decay * sin(angle);
-  return way;
+// At normal incidence, where both polarisations are one and N cos is N.
+//   a, b   N of the media above and below
+Complex film_interface_ahead(Complex a, Complex b) {
+  return complex_quotient(complex_difference(a, b), complex_sum(a, b));
 }

@@ -25,9 +25,6 @@ struct FilmLayer {
   bool coherent = true;
 };
 
-/// Layers thicker than this are taken as incoherent where nobody says how they are.
-inline constexpr double most_coherent_nm = 10000;
-
 /// Layers on a base, numbered from the outside.
 ///   outside   index of the medium in front, above 0
 struct Film {

@@ -40,7 +40,7 @@ struct Amplitudes {
 
 ETAK_LANES void interface_ahead(const Block& a, const Block& b, Amplitudes& r) {
   for (std::size_t i = 0; i < most; ++i) {
-    const Complex s = film_interface_ahead(a.n[i], a.k[i], b.n[i], b.k[i]);
+    const Complex s = film_interface_ahead({a.n[i], a.k[i]}, {b.n[i], b.k[i]});
     r.s_re[i] = s.re;
     r.s_im[i] = s.im;
   }
@@ -48,9 +48,9 @@ ETAK_LANES void interface_ahead(const Block& a, const Block& b, Amplitudes& r) {
 
 ETAK_LANES void layer_ahead(const Block& a, const Block& b, const Row& turns, Amplitudes& r) {
   for (std::size_t i = 0; i < most; ++i) {
-    const Complex upper = film_interface_ahead(a.n[i], a.k[i], b.n[i], b.k[i]);
+    const Complex layer{b.n[i], b.k[i]}, upper = film_interface_ahead({a.n[i], a.k[i]}, layer);
     const Complex below{r.s_re[i], r.s_im[i]};
-    const Complex s = film_joined(upper, below, film_way_back_ahead(b.n[i], b.k[i], turns[i]));
+    const Complex s = film_joined(upper, below, film_way_back(layer, turns[i]));
     r.s_re[i] = s.re;
     r.s_im[i] = s.im;
   }
@@ -72,7 +72,7 @@ ETAK_LANES void layer_at(double c, const Row& outside, const Block& a, const Blo
   for (std::size_t i = 0; i < most; ++i) {
     const FilmWave layer = film_wave(outside[i], c, b.n[i], b.k[i]);
     const FilmPair upper = film_interface(film_wave(outside[i], c, a.n[i], a.k[i]), layer);
-    const Complex way = film_way_back(layer, turns[i]);
+    const Complex way = film_way_back(layer.s, turns[i]);
     const Complex s = film_joined(upper.s, {r.s_re[i], r.s_im[i]}, way);
     const Complex p = film_joined(upper.p, {r.p_re[i], r.p_im[i]}, way);
     r.s_re[i] = s.re;

@@ -28,17 +28,17 @@ constexpr auto inputs = [] {
   *next++ = {"n0", "index of the outside medium", "", 0, 1e4, true, {}, 1.0};
   for (const auto& [n_name, k_name, d_name] : names) {
     *next++ = {n_name, "index of a layer, 1 the outermost", "", 0, 1e4, false, {}, not_given};
-    *next++ = {k_name, "its extinction; 0 where not given", "", 0, 1e6, false, {}, not_given};
-    *next++ = {d_name, "its thickness", "nm", 0, 1e12, false, {}, not_given};
+    *next++ = {k_name, "extinction of that layer; 0 where not given", "", 0, 1e6, false, {}, not_given};
+    *next++ = {d_name, "thickness of that layer", "nm", 0, 1e12, false, {}, not_given};
   }
   *next++ = {"n", "index of the base", "", 0, 1e4};
-  *next++ = {"k", "its extinction", "", 0, 1e6};
+  *next++ = {"k", "extinction of the base", "", 0, 1e6};
   *next++ = {"wavelength", "in vacuum", "nm", 0, 1e12, true};
   *next++ = {"cos", "cosine of incidence in the outside medium", "", 0, 1};
   return out;
 }();
 
-// What is left of the inputs, and what they give.
+// The light that the film of these inputs reflects and lets pass. Throws Error for layers that are not whole.
 FilmLight light_of(In x) {
   Film film{x[0], {}, {}};
   for (std::size_t j = 0; j < most_layers; ++j) {
@@ -67,10 +67,10 @@ constexpr std::string_view source = "Born and Wolf, section 1.6; Heavens 1955";
 constexpr Function rows[] = {
     {"stack_reflectance", "reflectance of layers on a base, unpolarised", source, inputs, false,
      [](In x) { return light_of(x).reflected.mean(); }},
-    {"stack_reflectance_s", "the same of light polarised across the plane of incidence", source, inputs,
+    {"stack_reflectance_s", "reflectance of light polarised across the plane of incidence", source, inputs,
      false, [](In x) { return light_of(x).reflected.s; }},
-    {"stack_reflectance_p", "the same of light polarised along it", source, inputs, false,
-     [](In x) { return light_of(x).reflected.p; }},
+    {"stack_reflectance_p", "reflectance of light polarised along the plane of incidence", source, inputs,
+     false, [](In x) { return light_of(x).reflected.p; }},
     {"stack_transmittance", "share of unpolarised light that passes into the base, which must not absorb",
      source, inputs, false,
      [](In x) {

@@ -15,7 +15,7 @@ struct AtlasLayout;
 /// Error naming file and JSON pointer.
 std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::string& label);
 
-/// The same of the text of a layout, and of a layout in memory; `path` is where its file is, or will be.
+/// The targets of a layout as text, and of one in memory; `path` is where its file is, or will be.
 std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const std::string& path,
                                                 const std::string& label);
 std::vector<CheckTarget> targets_of_layout(const AtlasLayout& layout, const std::string& path,

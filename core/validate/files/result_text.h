@@ -11,7 +11,7 @@
 
 namespace etak {
 
-/// Of a program that checks the same files again and again: what they were the last time.
+/// The results of the last run, in a program that checks the same files again and again.
 class CheckedBefore : public KeptResults<CheckedFile> {};
 
 /// All that decides the result of a target besides the bytes of its files and the settings, as text.

@@ -79,7 +79,7 @@ struct SceneRead {
 
   /// What the image takes beside the written scene, where no page has it: one texel may stand for it.
   TextureTotals kept_totals(int image) const;
-  /// Of images of the document, each file once.
+  /// The totals of images of the document, each file once.
   TextureTotals input_totals(const std::vector<bool>& images) const;
   TextureTotals kept_totals(const std::vector<bool>& images) const;
 

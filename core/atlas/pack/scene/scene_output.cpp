@@ -51,7 +51,7 @@ void tell_light_pictures(const SceneRead& read, const SceneChoice& choice,
         " bytes of kept PNG files that say nothing of their texels are left out: texts, profiles and the like, of which glTF takes no notice");
 }
 
-// Of all textures that scene.gltf would read, with these on its pages.
+// The totals of all textures that scene.gltf would read, with `placed` on its pages.
 TextureTotals scene_totals(const SceneRead& read, const std::vector<GltfForm>& forms, const SceneMaps& placed,
                            const PackDecision& decision) {
   const SceneOutput of_scene = scene_output(read, placed, forms, decision);
