@@ -27,6 +27,10 @@ void read_name(std::string_view name) {
       assert(parsed->set.size() <= name.size());
       for (const char letter : parsed->channels) (void)channel_word(letter);
     }
+  const std::size_t cut = name.find('/');
+  if (cut == name.npos) return;
+  if (const auto parsed = plain.read_in_folder(name.substr(0, cut), name.substr(cut + 1)))
+    assert(parsed->set.size() <= name.size() && !parsed->sure);
 }
 
 // The list lies in a file that is in memory alone.

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace etak {
@@ -214,13 +215,74 @@ PictureForm form_of(const NamedPicture& picture) {
   return {picture.name.resolution, picture.name.format};
 }
 
-// Whether a role is there twice, in two resolutions or formats.
-bool comes_in_forms(std::span<NamedPicture* const> same) {
-  std::map<FileRole, PictureForm> forms;
+std::string_view number_of(const NamedPicture& picture) {
+  return picture.name.number;
+}
+
+// Whether a role is there twice, with two values of what is asked.
+template <class Value>
+bool comes_twice(std::span<NamedPicture* const> same, Value (*value_of)(const NamedPicture&)) {
+  std::map<FileRole, Value> values;
   return std::ranges::any_of(same, [&](const NamedPicture* picture) {
+    const Value value = value_of(*picture);
     return is_judged(picture->name.role) &&
-           forms.try_emplace(picture->name.role, form_of(*picture)).first->second != form_of(*picture);
+           values.try_emplace(picture->name.role, value).first->second != value;
   });
+}
+
+// Calls a function for each run of pictures with one value, in the order of the values.
+template <class Value, class Each>
+void for_each_value(std::vector<NamedPicture*> same, Value (*value_of)(const NamedPicture&), Each each) {
+  if (!comes_twice(std::span<NamedPicture* const>(same), value_of)) return each(std::move(same));
+  std::ranges::stable_sort(same, {}, [&](const NamedPicture* p) { return value_of(*p); });
+  for (auto begin = same.begin(), end = begin; begin != same.end(); begin = end) {
+    while (end != same.end() && value_of(**end) == value_of(**begin)) ++end;
+    each({begin, end});
+  }
+}
+
+// The later comes first: a name without a version is what was handed over, "final" is the last of the versions,
+// and copies are nobody's choice. Numbers count by their value: v12 comes after v9.
+std::tuple<int, std::string> age(const NamedPicture& picture) {
+  const std::string& version = picture.name.version;
+  if (version.empty()) return {0, {}};
+  for (const char* state : {"cop", "kopie", "old", "bak", "backup"})
+    if (version.find(state) != version.npos) return {3, version};
+  // Digits in front of which zeros make them equally long, turned around so that the largest is first.
+  std::string turned;
+  for (std::size_t i = 0; i < version.size();) {
+    const std::size_t end = std::min(version.find_first_not_of("0123456789", i), version.size());
+    if (end == i) {
+      turned += version[i++];
+      continue;
+    }
+    const std::size_t first = std::min(version.find_first_not_of('0', i), end);
+    turned.append(12 - std::min<std::size_t>(end - first, 12), '9');
+    for (; i < end; ++i)
+      if (i >= first) turned += static_cast<char>('9' - (version[i] - '0'));
+  }
+  return {version.find("final") != version.npos ? 1 : 2, turned};
+}
+
+// Gives the files without a number to each number that lacks their role. They are a set of their own where a
+// colour is among them; maps need no other file and are judged once.
+std::vector<std::vector<NamedPicture*>> numbered_groups(std::vector<NamedPicture*> same) {
+  std::vector<std::vector<NamedPicture*>> out;
+  for_each_value(std::move(same), number_of,
+                 [&](std::vector<NamedPicture*> group) { out.push_back(std::move(group)); });
+  if (out.size() < 2 || !out.front().front()->name.number.empty()) return out;
+  std::vector<NamedPicture*>& plain = out.front();
+  for (std::size_t i = 1; i < out.size(); ++i) {
+    const std::vector<NamedPicture*> own = out[i];
+    for (NamedPicture* picture : plain)
+      if (!is_map(picture->name.role) && std::ranges::none_of(own, [&](const NamedPicture* other) {
+            return other->name.role == picture->name.role;
+          }))
+        out[i].push_back(picture);
+  }
+  if (std::ranges::none_of(plain, [](const NamedPicture* p) { return is_color(p->name.role); }))
+    std::erase_if(plain, [](const NamedPicture* p) { return !is_map(p->name.role); });
+  return out;
 }
 
 }  // namespace
@@ -237,19 +299,14 @@ std::vector<PictureSet> sets_of(std::span<NamedPicture> same) {
     }
   }
   std::vector<PictureSet> out;
-  const auto add = [&](std::vector<NamedPicture*> pictures) {
-    for (PictureSet& set : SetMaker(std::move(pictures)).run()) out.push_back(std::move(set));
-  };
-  if (!comes_in_forms(known)) {
-    add(std::move(known));
-    return out;
-  }
-  std::ranges::stable_sort(known, [](const auto* a, const auto* b) { return form_of(*a) < form_of(*b); });
-  for (std::size_t begin = 0, end = 0; begin < known.size(); begin = end) {
-    while (end < known.size() && form_of(*known[end]) == form_of(*known[begin])) ++end;
-    add({known.begin() + static_cast<std::ptrdiff_t>(begin),
-         known.begin() + static_cast<std::ptrdiff_t>(end)});
-  }
+  std::ranges::stable_sort(known, [](const NamedPicture* a, const NamedPicture* b) {
+    return std::pair(a->name.role, a->companion) < std::pair(b->name.role, b->companion) ||
+           (a->name.role == b->name.role && a->companion == b->companion && age(*a) < age(*b));
+  });
+  for_each_value(std::move(known), form_of, [&](std::vector<NamedPicture*> form) {
+    for (std::vector<NamedPicture*>& group : numbered_groups(std::move(form)))
+      for (PictureSet& set : SetMaker(std::move(group)).run()) out.push_back(std::move(set));
+  });
   return out;
 }
 

@@ -15,6 +15,7 @@ struct NamedPicture {
   std::string path;
   std::string key;         // equal for what may belong together: folder, set, tile and level, in lower case
   ParsedName name;         // its role is settled by sets_of()
+  bool by_folder = false;  // its folder has the name of the role, and the set lies in the folder around
   bool guessed = false;    // the role comes from the name, not from [roles] or --role
   bool companion = false;  // found beside what was named: judged with that or not at all
   bool by_hand = false;
@@ -35,7 +36,8 @@ struct PictureSet {
 
 /// Puts the pictures of one key together: diffuse with specular (and gloss), base colour with metallic and
 /// roughness or with a packed picture, F0 alone; normal, height, occlusion and emissive maps are a set of their
-/// own, the last. Two resolutions or formats of one set are two sets. The other pictures decide what an
+/// own, the last. Two resolutions, formats or numbers of one set are two sets; files without a number belong to
+/// each number that lacks their role. Of several versions of a part the newest is taken. The other pictures decide what an
 /// ambiguous word means: "diffuse" beside roughness is a base colour, "albedo" beside F0 is diffuse.
 std::vector<PictureSet> sets_of(std::span<NamedPicture> same);
 

@@ -197,7 +197,9 @@ class Pictures {
     ListedFile& row = finds_.found.listing.files.emplace_back();
     row.file = finds_.label(picture.path);
     row.role = name(picture.name.role);
-    row.set = std::string(folder_of(row.file)) + picture.name.set;
+    std::string_view folder = folder_of(row.file);
+    if (picture.by_folder) folder = folder_of(folder.substr(0, folder.size() - 1));
+    row.set = std::string(folder) + picture.name.set;
     row.parsed = picture.name;
     row.as = picture.as;
     row.note = picture.note;

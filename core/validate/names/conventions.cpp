@@ -116,14 +116,16 @@ constexpr auto words_table = std::to_array<NameWord>({
      other},
 
     // Blender, Godot, glTF and many others.
-    {common, "basecolor base_color basecoloralpha basecolour base_colour albedo", base_color},
+    {common, "basecolor base_color basecoloralpha basecolour base_colour albedo albedomap", base_color},
     {common, "color colour col colormap basecol alb", base_color, "", unsure},
-    {common, "diffuse_alpha diffusealpha diff diffuse", diffuse_alpha},
+    {common,
+     "diffuse_alpha diffusealpha diff dif diffuse diffusemap diffusecolor diffuse_color color_diffuse",
+     diffuse_alpha},
     {common, "specular_gloss speculargloss specgloss specularglossiness spec specular", specular_gloss},
     {common, "f0", f0_only},
-    {common, "metallic metalness", metallic},
+    {common, "metallic metalness metallicmap metalnessmap", metallic},
     {common, "metal metalic met mtl", metallic, "", unsure},
-    {common, "roughness", roughness},
+    {common, "roughness roughnessmap specularroughness specular_roughness", roughness},
     {common, "rough rgh", roughness, "", unsure},
     {common, "glossiness smoothness", gloss},
     {common, "gloss smooth", gloss, "", unsure},
@@ -144,6 +146,22 @@ constexpr auto words_table = std::to_array<NameWord>({
     {common, "cavity curvature thickness translucency transmission subsurface sss sheen coat clearcoat",
      other},
     {common, "anisotropy specularlevel fuzz mask masks idmap flowmap bentnormal bent_normal", other},
+    {common, "preview thumb thumbnail wireframe", other},
+
+    // German, French, Spanish and Japanese; without accents, as normal_ending() leaves them.
+    {common, "grundfarbe basisfarbe couleur_de_base couleurdebase color_base colorbase ベースカラー アルベド",
+     base_color},
+    {common, "farbe couleur カラー", base_color, "", unsure},
+    {common, "streufarbe", diffuse_alpha},
+    {common, "spekular speculaire especular", specular_gloss},
+    {common, "rauheit rauigkeit rauhigkeit rugosite rugosidad ラフネス 粗さ", roughness},
+    {common, "metallisch metallique metalico metalicidad メタリック メタルネス 金属", metallic},
+    {common, "glanz glattheit brillance brillo 光沢", gloss, "", unsure},
+    {common, "normalen normale normales 法線 ノーマル", normal},
+    {common, "hohe hohenkarte hauteur altura 高さ", height},
+    {common, "umgebungsverdeckung occlusion_ambiante oclusion oclusion_ambiental 環境遮蔽", occlusion},
+    {common, "emissif emision emisivo 発光", emissive},
+    {common, "deckkraft opacite opacidad 不透明度", opacity},
 });
 
 constexpr auto names = std::to_array<std::pair<Convention, std::string_view>>({{common, "common"},

@@ -35,6 +35,8 @@ std::string form_text(const ParsedName& parsed) {
   add(parsed.format, " ");
   add(parsed.tile.empty() ? "" : "tile " + parsed.tile, ", ");
   add(parsed.lod, ", ");
+  add(parsed.version, ", ");
+  add(parsed.number.empty() ? "" : "number " + parsed.number, ", ");
   return out;
 }
 
@@ -102,6 +104,8 @@ std::string file_list_json(const FileList& list) {
       row["format"] = parsed.format;
       row["tile"] = parsed.tile;
       row["lod"] = parsed.lod;
+      row["version"] = parsed.version;
+      row["number"] = parsed.number;
     }
     out["files"].push_back(std::move(row));
   }

@@ -67,17 +67,23 @@ std::string normal_ending(std::string_view ending);
 ///   set          what is left without the parts below, as written: "Wall" of "Wall_4K-PNG_Color.png"; empty
 ///                where the name is the word alone ("albedo.png")
 ///   resolution   "4k", "2048"; format, tile ("1001", "u1_v1") and lod ("lod0") likewise; in lower case
+///   version      "v003", "20240131", "final", "copy2": a state of the file. Of two the files of a set are judged by the
+///                latest
+///   number       "01", "a" behind the word: files of one number belong together
 ///   sure         false: counts only beside companions that agree
 struct ParsedName {
   std::string set;
   Convention convention = Convention::common;
   FileRole role = FileRole::other;
   std::string channels;
-  std::string resolution, format, tile, lod;
+  std::string resolution, format, tile, lod, version, number;
   GreenAxis green = GreenAxis::unsaid;
   std::optional<FileRole> otherwise;
   bool sure = true;
 };
+
+struct NamePart;
+struct NameMarks;
 
 /// Reads names of files. Cheap: some look-ups a name.
 class NameReader {
@@ -86,8 +92,23 @@ class NameReader {
   explicit NameReader(std::span<const OwnName> own);
   /// Of a file's name without its folder; nullopt: no ending is known.
   std::optional<ParsedName> read(std::string_view file_name) const;
+  /// Of a file in a folder whose name is the word ("basecolor/wall.png"); nullopt: the folder's name is none.
+  std::optional<ParsedName> read_in_folder(std::string_view folder, std::string_view file_name) const;
 
  private:
+  /// A word that is known: an own ending, or the rows that have it.
+  struct Word {
+    const OwnName* own = nullptr;
+    const std::vector<const NameWord*>* rows = nullptr;
+    explicit operator bool() const { return own != nullptr || rows != nullptr; }
+  };
+  Word word(std::string_view text) const;
+  Word take_word(std::vector<NamePart>& parts, NameMarks& marks) const;
+  Word take_capital_word(std::vector<NamePart>& parts, NameMarks& marks) const;
+  Word take_last_word(std::vector<NamePart>& parts, ParsedName& to, NameMarks& marks) const;
+  static void say(const Word& word, const NameMarks& marks, ParsedName& to);
+  std::optional<ParsedName> read_front(std::vector<NamePart> parts, const std::string& version) const;
+
   struct TextHash : std::hash<std::string_view> {
     using is_transparent = void;  // NOLINT(readability-identifier-naming): the name that containers look for
   };

@@ -6,16 +6,26 @@
 #include "core/validate/names/names.h"
 
 namespace etak {
-namespace {
 
-constexpr std::string_view name_separators = "_-. ";
-constexpr std::size_t most_joined = 4;  // parts of a name that one word may stand in: "diffuse_alpha"
-
-// The parts of a name between separators.
+// A part of a name between separators.
 struct NamePart {
   std::string_view text;
   char before;  // the separator in front of it; '\0': none
 };
+
+// Which parts of a name stood beside the word.
+struct NameMarks {
+  bool unreal = false;            // "T_" in front
+  bool capital = false;           // the word begins with a capital
+  bool resolution_left = false;   // of the word
+  bool resolution_right = false;  // of the word, with a small k
+  bool format = false;
+};
+
+namespace {
+
+constexpr std::string_view name_separators = "_-. ";
+constexpr std::size_t most_joined = 4;  // parts of a name that one word may stand in: "diffuse_alpha"
 
 std::vector<NamePart> parts_of(std::string_view stem) {
   std::vector<NamePart> out;
@@ -49,10 +59,13 @@ bool is_format(std::string_view low) {
   return std::ranges::find(formats, low) != formats.end();
 }
 
-// Words on the encoding, which say nothing of what the picture holds.
+// Words on the encoding, which say nothing of what the picture holds: spaces of colour as ACES and Maya name them,
+// depths, and "map" or "texture" behind the word.
 bool is_encoding(std::string_view low) {
-  constexpr std::array<std::string_view, 7> words{"srgb", "linear", "raw",  "acescg",
-                                                  "8bit", "16bit",  "32bit"};
+  constexpr auto words = std::to_array<std::string_view>(
+      {"srgb",   "linear",  "lin",     "raw",   "acescg", "aces",     "aces2065",  "utility",
+       "rec709", "bt709",   "rec2020", "p3",    "data",   "noncolor", "noncolour", "map",
+       "tex",    "texture", "8bit",    "16bit", "32bit",  "triplanar"});
   return std::ranges::find(words, low) != words.end();
 }
 
@@ -62,18 +75,35 @@ bool is_udim(std::string_view text) {
 }
 
 bool is_numbered(std::string_view low, std::string_view letters) {
-  return low.size() <= letters.size() + 2 && low.starts_with(letters) &&
+  return low.size() <= letters.size() + 4 && low.starts_with(letters) &&
          all_digits(low.substr(letters.size()));
 }
 
-// Which parts of a name stood beside the word.
-struct NameMarks {
-  bool unreal = false;            // "T_" in front
-  bool capital = false;           // the word begins with a capital
-  bool resolution_left = false;   // of the word
-  bool resolution_right = false;  // of the word, with a small k
-  bool format = false;
-};
+// Words of people who keep several states of one file.
+bool is_state(std::string_view low) {
+  constexpr auto words =
+      std::to_array<std::string_view>({"final", "copy", "kopie", "copie", "copia", "wip", "old", "new",
+                                       "latest", "backup", "bak", "approved", "draft"});
+  return std::ranges::find(words, low) != words.end();
+}
+
+bool in_range(std::string_view digits, std::string_view low, std::string_view high) {
+  return low <= digits && digits <= high;
+}
+
+// "20240131", "240131".
+bool is_date(std::string_view text) {
+  if (!all_digits(text) || (text.size() != 6 && text.size() != 8)) return false;
+  if (text.size() == 8 && !text.starts_with("19") && !text.starts_with("20")) return false;
+  return in_range(text.substr(text.size() - 4, 2), "01", "12") &&
+         in_range(text.substr(text.size() - 2), "01", "31");
+}
+
+// "v003", "ver3", "rev02", "r03", a date, or a state.
+bool is_version(std::string_view low) {
+  return is_numbered(low, "v") || is_numbered(low, "ver") || is_numbered(low, "rev") ||
+         (low.size() > 2 && is_numbered(low, "r")) || is_date(low) || is_state(low);
+}
 
 bool bears(const NameMarks& marks, Convention convention) {
   switch (convention) {
@@ -95,14 +125,20 @@ bool bears(const NameMarks& marks, Convention convention) {
   return true;
 }
 
-// Takes a part that tells resolution, format, tile, level of detail or encoding; false: it is another part.
-//   parts   the part is the last one; of "_u1_v1" the last two, which are both taken
-bool take_part(std::vector<NamePart>& parts, std::size_t at, ParsedName& to, NameMarks& marks, bool left) {
-  const NamePart& part = parts[at];
+// Takes the last part of a name where it tells resolution, format, tile, level of detail, version, number or
+// encoding, with the parts before it that belong to it ("_u1_v1", "2024-01-31"); false: it is another part.
+//   left   the part stands in front of the word, where versions and numbers belong to the name of the set
+bool take_part(std::vector<NamePart>& parts, ParsedName& to, NameMarks& marks, bool left) {
+  const std::size_t last = parts.size() - 1;
+  const NamePart& part = parts[last];
   const std::string low = lower_case(part.text);
-  if (is_numbered(low, "v") && at > 1 && is_numbered(lower_case(parts[at - 1].text), "u")) {
-    to.tile = lower_case(parts[at - 1].text) + '_' + low;
-    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(at));
+  const auto before = [&](std::size_t steps) {
+    return last > steps ? lower_case(parts[last - steps].text) : std::string();
+  };
+  std::size_t taken = 1;
+  if (is_numbered(low, "v") && is_numbered(before(1), "u")) {
+    to.tile = before(1) + '_' + low;
+    taken = 2;
   } else if (is_udim(low) && (part.before == '.' || low != "1024")) {
     to.tile = low;
   } else if (is_resolution(low)) {
@@ -116,9 +152,18 @@ bool take_part(std::vector<NamePart>& parts, std::size_t at, ParsedName& to, Nam
     marks.format = true;
   } else if (is_numbered(low, "lod")) {
     to.lod = low;
+  } else if (low.empty()) {  // of "__" and " - "
+  } else if (!left && low.size() == 2 && before(1).size() == 2 && is_date(before(2) + before(1) + low)) {
+    to.version = before(2) + before(1) + low;
+    taken = 3;
+  } else if (!left && is_version(low)) {
+    to.version = low + (to.version.empty() ? "" : "_" + to.version);
+  } else if (!left && low.size() <= 3 && all_digits(low)) {
+    to.number = low;
   } else if (!is_encoding(low)) {
     return false;
   }
+  parts.resize(parts.size() - taken);
   return true;
 }
 
@@ -138,6 +183,13 @@ const WordIndex& word_index() {
   return index;
 }
 
+// The plain letter of a letter of Latin-1 whose second byte in UTF-8 is given: "e" of the last byte of "é".
+char without_accent(char second) {
+  constexpr std::string_view letters = "aaaaaaaceeeeiiiidnooooo_ouuuuytsaaaaaaaceeeeiiiidnooooo_ouuuuyty";
+  static_assert(letters.size() == 64);
+  return letters[static_cast<unsigned char>(second) & 63];
+}
+
 // The row whose marks the name bears; else the first, which is not sure then.
 std::pair<const NameWord*, bool> best_row(const std::vector<const NameWord*>& rows, const NameMarks& marks) {
   for (const NameWord* row : rows)
@@ -149,7 +201,17 @@ std::pair<const NameWord*, bool> best_row(const std::vector<const NameWord*>& ro
 
 std::string normal_ending(std::string_view ending) {
   std::string out;
-  for (const char c : ending) out += name_separators.find(c) != name_separators.npos ? '_' : lower_case(c);
+  for (std::size_t i = 0; i < ending.size(); ++i) {
+    const char c = ending[i];
+    // In UTF-8 a letter of Latin-1 with its accent is 0xC3 and a second byte, and an accent that stands behind its
+    // letter, as macOS writes it, is 0xCC or 0xCD and a second byte.
+    if (c == '\xC3' && i + 1 < ending.size())
+      out += without_accent(ending[++i]);
+    else if ((c == '\xCC' || c == '\xCD') && i + 1 < ending.size())
+      ++i;
+    else
+      out += name_separators.find(c) != name_separators.npos ? '_' : lower_case(c);
+  }
   return out.substr(std::min(out.find_first_not_of('_'), out.size()));
 }
 
@@ -157,53 +219,181 @@ NameReader::NameReader(std::span<const OwnName> own) {
   for (const OwnName& entry : own) own_.emplace(entry.ending, entry);
 }
 
+NameReader::Word NameReader::word(std::string_view text) const {
+  const std::string low = normal_ending(text);
+  if (const auto found = own_.find(low); found != own_.end()) return {&found->second, nullptr};
+  if (const auto known = word_index().find(low); known != word_index().end())
+    return {nullptr, &known->second};
+  return {};
+}
+
+namespace {
+
+std::string_view text_between(std::string_view first, std::string_view last) {
+  return {first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data())};
+}
+
+// Where a word of a name may begin by its case alone: before "Base" and "Color" of "wallBaseColor".
+std::vector<std::size_t> case_boundaries(std::string_view text) {
+  const auto is_capital = [&](std::size_t i) { return text[i] >= 'A' && text[i] <= 'Z'; };
+  std::vector<std::size_t> out;
+  for (std::size_t i = 1; i < text.size(); ++i)
+    if (is_capital(i) &&
+        (!is_capital(i - 1) || (i + 1 < text.size() && !is_capital(i + 1) && !is_digit(text[i + 1]))))
+      out.push_back(i);
+  return out;
+}
+
+// The name without the number of a copy, as file managers write it: "wall" of "wall (1)".
+std::string_view without_copy_number(std::string_view stem, ParsedName& to) {
+  const std::size_t open = stem.rfind('(');
+  if (!stem.ends_with(')') || open == stem.npos || open == 0) return stem;
+  const std::string_view digits = stem.substr(open + 1, stem.size() - open - 2);
+  if (!all_digits(digits) || digits.size() > 3) return stem;
+  to.version = "copy" + std::string(digits);
+  return stem.substr(0, open);
+}
+
+// What stands behind a word without a separator: digits, or a capital behind a small letter.
+std::size_t number_behind(std::string_view text) {
+  std::size_t digits = 0;
+  while (digits < std::min<std::size_t>(text.size(), 3) && is_digit(text[text.size() - 1 - digits])) ++digits;
+  if (digits > 0 || text.size() < 2) return digits;
+  const char last = text.back(), before = text[text.size() - 2];
+  return last >= 'A' && last <= 'Z' && before >= 'a' && before <= 'z' ? 1 : 0;
+}
+
+}  // namespace
+
+// The longest ending of the parts that is a word, which is taken off them.
+NameReader::Word NameReader::take_word(std::vector<NamePart>& parts, NameMarks& marks) const {
+  for (std::size_t joined = std::min(most_joined, parts.size()); joined > 0; --joined) {
+    const std::string_view first = parts[parts.size() - joined].text;
+    const Word found = word(text_between(first, parts.back().text));
+    if (!found) continue;
+    marks.capital = !first.empty() && first.front() >= 'A' && first.front() <= 'Z';
+    parts.resize(parts.size() - joined);
+    return found;
+  }
+  return {};
+}
+
+// The longest end of the last part that is a word and begins with a capital: "BaseColor" of "wallBaseColor".
+NameReader::Word NameReader::take_capital_word(std::vector<NamePart>& parts, NameMarks& marks) const {
+  std::string_view& last = parts.back().text;
+  for (const std::size_t at : case_boundaries(last)) {
+    const std::string_view end = last.substr(at);
+    const Word found = end.size() < 3 && end != "AO" ? Word{} : word(end);
+    if (!found) continue;
+    marks.capital = true;
+    last = last.substr(0, at);
+    return found;
+  }
+  return {};
+}
+
+NameReader::Word NameReader::take_last_word(std::vector<NamePart>& parts, ParsedName& to,
+                                            NameMarks& marks) const {
+  for (;;) {
+    if (const Word found = take_word(parts, marks)) return found;
+    const NamePart last = parts.back();
+    // A single letter with digits is a version or a number ("r03"), not a word with a number.
+    const std::size_t digits = number_behind(last.text);
+    if (digits > 0 && digits + 1 < last.text.size() && !is_version(lower_case(last.text))) {
+      parts.back().text.remove_suffix(digits);
+      Word found = take_word(parts, marks);
+      if (!found) found = take_capital_word(parts, marks);
+      if (found) {
+        to.number = lower_case(last.text.substr(last.text.size() - digits));
+        return found;
+      }
+      parts.back().text = last.text;
+    }
+    if (const Word found = take_capital_word(parts, marks)) return found;
+    if (parts.size() < 2 || !take_part(parts, to, marks, false)) return {};
+  }
+}
+
+void NameReader::say(const Word& word, const NameMarks& marks, ParsedName& to) {
+  if (word.own != nullptr) {
+    to.convention = Convention::own;
+    to.role = word.own->role;
+    to.channels = word.own->channels;
+    return;
+  }
+  const auto [row, is_sure] = best_row(*word.rows, marks);
+  to.convention = row->convention;
+  to.role = row->role;
+  to.channels = row->channels;
+  to.green = row->green;
+  to.otherwise = row->otherwise;
+  to.sure = is_sure;
+}
+
 std::optional<ParsedName> NameReader::read(std::string_view file_name) const {
-  const std::string_view stem = file_name.substr(0, file_name.rfind('.'));
-  std::vector<NamePart> parts = parts_of(stem);
   ParsedName out;
+  const std::string_view stem = without_copy_number(file_name.substr(0, file_name.rfind('.')), out);
+  std::vector<NamePart> parts = parts_of(stem);
   NameMarks marks;
   marks.unreal = parts.size() > 2 && parts.front().text == "T" && parts[1].before == '_';
-  while (parts.size() > 1 && take_part(parts, parts.size() - 1, out, marks, false)) parts.pop_back();
-
-  // The longest ending that is a word.
-  const OwnName* own = nullptr;
-  const std::vector<const NameWord*>* rows = nullptr;
-  std::size_t joined = std::min(most_joined, parts.size());
-  for (; joined > 0 && own == nullptr && rows == nullptr; --joined) {
-    const char* begin = parts[parts.size() - joined].text.data();
-    const std::string_view last = parts.back().text;
-    const std::string word =
-        normal_ending({begin, static_cast<std::size_t>(last.data() + last.size() - begin)});
-    if (const auto found = own_.find(word); found != own_.end())
-      own = &found->second;
-    else if (const auto known = word_index().find(word); known != word_index().end())
-      rows = &known->second;
-    if (own != nullptr || rows != nullptr) break;
+  const std::vector<NamePart> whole = parts;
+  Word found = take_last_word(parts, out, marks);
+  if (!found) return read_front(whole, out.version);
+  // Poliigon names the kind of the set behind the resolution: "Metal01_COL_2K_METALNESS".
+  const std::string_view kind = whole.back().text;
+  if (parts.size() > 2 && is_resolution(lower_case(parts.back().text)) &&
+      (kind == "METALNESS" || kind == "SPECULAR")) {
+    std::vector<NamePart> front(parts.begin(), parts.end() - 1);
+    if (const Word other = take_word(front, marks)) {
+      out.resolution = lower_case(parts.back().text);
+      parts = std::move(front);
+      found = other;
+    }
   }
-  if (own == nullptr && rows == nullptr) return std::nullopt;
-  const char first = parts[parts.size() - joined].text.front();
-  marks.capital = first >= 'A' && first <= 'Z';
-  parts.resize(parts.size() - joined);
-  while (parts.size() > 1 && take_part(parts, parts.size() - 1, out, marks, true)) parts.pop_back();
-
-  if (own != nullptr) {
-    out.convention = Convention::own;
-    out.role = own->role;
-    out.channels = own->channels;
-  } else {
-    const auto [row, is_sure] = best_row(*rows, marks);
-    out.convention = row->convention;
-    out.role = row->role;
-    out.channels = row->channels;
-    out.green = row->green;
-    out.otherwise = row->otherwise;
-    out.sure = is_sure;
+  while (parts.size() > 1 && take_part(parts, out, marks, true)) {
   }
+  say(found, marks, out);
   if (parts.empty())
-    out.sure = out.sure && own != nullptr;
+    out.sure = out.sure && found.own != nullptr;
   else
-    out.set = stem.substr(
-        0, static_cast<std::size_t>(parts.back().text.data() + parts.back().text.size() - stem.data()));
+    out.set = text_between(stem, parts.back().text);
+  return out;
+}
+
+// A name that begins with its word, as "basecolor_wall": no proof without companions.
+std::optional<ParsedName> NameReader::read_front(std::vector<NamePart> parts,
+                                                 const std::string& version) const {
+  ParsedName out;
+  out.version = version;
+  NameMarks marks;
+  while (parts.size() > 1 && take_part(parts, out, marks, false)) {
+  }
+  for (std::size_t joined = std::min(most_joined, parts.size() - 1); joined > 0; --joined) {
+    const std::string_view text = text_between(parts.front().text, parts[joined - 1].text);
+    const Word found = text.size() < 3 ? Word{} : word(text);
+    if (!found) continue;
+    say(found, marks, out);
+    out.sure = false;
+    out.set = text_between(parts[joined].text, parts.back().text);
+    return out;
+  }
+  return std::nullopt;
+}
+
+std::optional<ParsedName> NameReader::read_in_folder(std::string_view folder,
+                                                     std::string_view file_name) const {
+  if (folder.ends_with('/')) folder.remove_suffix(1);
+  const Word found = folder.size() < 3 ? Word{} : word(folder);
+  if (!found) return std::nullopt;
+  ParsedName out;
+  std::vector<NamePart> parts = parts_of(without_copy_number(file_name.substr(0, file_name.rfind('.')), out));
+  NameMarks marks;
+  marks.capital = folder.front() >= 'A' && folder.front() <= 'Z';
+  while (parts.size() > 1 && take_part(parts, out, marks, false)) {
+  }
+  say(found, marks, out);
+  out.sure = false;
+  out.set = text_between(parts.front().text, parts.back().text);
   return out;
 }
 

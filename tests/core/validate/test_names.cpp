@@ -2,7 +2,10 @@
 // What names of pictures tell, by the conventions of studios.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <map>
 
+#include "core/validate/find/picture_namer.h"
 #include "core/validate/find/picture_sets.h"
 #include "core/validate/names/names.h"
 #include "tests/support.h"
@@ -256,6 +259,106 @@ TEST_CASE("what lacks its companion is said, and nothing is invented for it") {
   CHECK(sets_text({"band_d.png", "band_n.png"}) == " ?band_d.png ?band_n.png");
   CHECK(sets_text({"letter_a.png", "letter_r.png"}) == " ?letter_a.png ?letter_r.png");
   CHECK(sets_text({"logo_color.png"}) == " ?logo_color.png");
+}
+
+// What the hundred patterns are taken for: files are named as find does, and a file in a folder may have its word there.
+struct PatternsRead {
+  int lines = 0, whole = 0;
+  std::string wrong;
+};
+
+PatternsRead read_patterns() {
+  PatternsRead out;
+  std::ifstream file(source_folder() + "/tests/data/names/patterns.txt");
+  REQUIRE(file);
+  const ValidateConfig config;
+  PictureNamer namer(config, reader());
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line.starts_with('#')) continue;
+    ++out.lines;
+    std::map<std::string, std::vector<NamedPicture>> keys;
+    std::map<std::string, std::string> expected;
+    std::string unread;
+    for (std::size_t begin = 0; begin <= line.size();) {
+      const std::size_t end = std::min(line.find(" | ", begin), line.size());
+      const std::string part = line.substr(begin, end - begin);
+      const std::string path = part.substr(part.find('=') + 1);
+      expected[path] = part.substr(0, part.find('='));
+      if (auto picture = namer.named(path))
+        keys[picture->key].push_back(std::move(*picture));
+      else
+        unread += " ?" + path;
+      begin = end + 3;
+    }
+    std::map<std::string, std::string> found;
+    for (auto& [key, pictures] : keys) {
+      std::ranges::stable_sort(pictures, {}, [](const NamedPicture& p) { return p.name.role; });
+      for (const PictureSet& set : sets_of(pictures))
+        for (const NamedPicture* member : set.members)
+          if (set.missing.empty()) found[member->path] = name(member->name.role);
+    }
+    if (found == expected && unread.empty())
+      ++out.whole;
+    else
+      out.wrong += line + unread + '\n';
+  }
+  return out;
+}
+
+TEST_CASE("of a hundred ways of naming the files of a set at least 92 are judged whole") {
+  const PatternsRead patterns = read_patterns();
+  INFO(patterns.wrong);
+  CHECK(patterns.lines == 100);
+  CHECK(patterns.whole >= 92);
+}
+
+TEST_CASE("versions, dates, states and copies stand behind the word and are told") {
+  const std::pair<const char*, const char*> versions[] = {
+      {"wall_basecolor_v003.png", "v003"},         {"wall_basecolor_2024-01-31.png", "20240131"},
+      {"wall_basecolor_FINAL_v2.png", "final_v2"}, {"wall_basecolor (1).png", "copy1"},
+      {"wall_basecolor - Kopie.png", "kopie"},     {"wall_basecolor.v2.1001.png", "v2"},
+      {"wall_BaseColor_rev02_2k.png", "rev02"},    {"wall_basecolor.png", ""}};
+  for (const auto& [file, version] : versions) {
+    INFO(file);
+    const auto parsed = reader().read(file);
+    REQUIRE(parsed);
+    CHECK(parsed->set == "wall");
+    CHECK(parsed->role == base_color);
+    CHECK(parsed->version == version);
+  }
+}
+
+TEST_CASE("of several versions the newest part is judged, and every colour") {
+  CHECK(sets_text({"w_basecolor_v9.png", "w_roughness_v9.png", "w_roughness_v10.png"}) ==
+        "base-color=w_basecolor_v9 roughness=w_roughness_v10");
+  CHECK(
+      sets_text({"w_basecolor_v1.png", "w_basecolor_v2.png", "w_roughness_v1.png"}) ==
+      "base-color=w_basecolor_v2 roughness=w_roughness_v1; base-color=w_basecolor_v1 roughness=w_roughness_v1");
+  CHECK(sets_text({"w_basecolor.png", "w_roughness - Copy.png", "w_roughness.png"}) ==
+        "base-color=w_basecolor roughness=w_roughness");
+  CHECK(sets_text({"w_basecolor.png", "w_roughness_v3.png", "w_roughness_final.png"}) ==
+        "base-color=w_basecolor roughness=w_roughness_final");
+}
+
+TEST_CASE("files of one number belong together, and those without one to all that lack their role") {
+  CHECK(sets_text({"w_basecolor01.png", "w_roughness01.png", "w_basecolor02.png", "w_roughness02.png"}) ==
+        "base-color=w_basecolor01 roughness=w_roughness01; base-color=w_basecolor02 roughness=w_roughness02");
+  CHECK(
+      sets_text({"w_basecolor_01.png", "w_basecolor_02.png", "w_roughness.png", "w_normal.png"}) ==
+      "normal=w_normal; base-color=w_basecolor_01 roughness=w_roughness; base-color=w_basecolor_02 roughness=w_roughness");
+  CHECK(sets_text({"w_basecolor.png", "w_basecolor2.png", "w_roughness.png"}) ==
+        "base-color=w_basecolor roughness=w_roughness; base-color=w_basecolor2 roughness=w_roughness");
+}
+
+TEST_CASE("words of four languages are known with and without their accents") {
+  for (const char* file : {"w_rugosité.png", "w_rugosite\xCC\x81.png", "w_RUGOSITÉ.png", "w_Rauheit.png",
+                           "w_rugosidad.png", "w_粗さ.png"}) {
+    INFO(file);
+    const auto parsed = reader().read(file);
+    REQUIRE(parsed);
+    CHECK(parsed->role == roughness);
+    CHECK(parsed->sure);
+  }
 }
 
 TEST_CASE("own endings come before the built-in ones") {
