@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -11,6 +12,9 @@
 #include "core/base/files/input.h"
 #include "core/base/parallel.h"
 #include "core/base/system.h"
+#include "core/base/text/ascii.h"
+#include "core/judge/rules.h"
+#include "core/judge/settings.h"
 #include "core/validate/find/file_hints.h"
 #include "core/validate/find/finds.h"
 #include "core/validate/find/kind.h"
@@ -58,7 +62,10 @@ class Pictures {
           finds_.found.skipped += picture.as == ListedAs::not_judged && !picture.companion;
           if (finds_.request.list_files) list_picture(picture);
         }
+      if (std::ranges::any_of(group.pictures, [](const NamedPicture& p) { return p.as == ListedAs::judged; }))
+        judged_keys_.insert(group.pictures.front().key.substr(0, group.pictures.front().key.find('\n')));
     }
+    for (const std::string& path : unknown_) find_set_of(path);
     settle_tiles(finds_.found.targets);
   }
 
@@ -111,8 +118,34 @@ class Pictures {
     if (files_.of_manifests.contains(path))
       return finds_.list(finds_.label(path), "", ListedAs::not_judged,
                          "of a manifest: etak pack judges it while it packs");
+    unknown_.push_back(path);
     finds_.found.unknown.push_back(finds_.label(path));
     finds_.list(finds_.found.unknown.back(), "", ListedAs::unknown, why);
+  }
+
+  // Reports a picture that nothing is known of where its name is that of a judged set and one or two words.
+  void find_set_of(const std::string& path) {
+    const std::size_t begin = folder_of(path).size();
+    const std::string name = lower_case(path.substr(0, path.rfind('.')));
+    std::size_t at = name.size();
+    for (int words = 0; words < 2; ++words) {
+      at = name.find_last_of("_-. ", at - 1);
+      if (at == name.npos || at <= begin) return;
+      if (judged_keys_.contains(name.substr(0, at)))
+        return unknown_member(path, path.substr(begin, at - begin));
+    }
+  }
+
+  void unknown_member(const std::string& path, const std::string& set) {
+    const Settings& settings = finds_.request.config.settings;
+    const Rule& rule = *find_rule("ETK012");
+    const Severity severity = severity_of(rule, settings);
+    if (severity == Severity::off) return;
+    CheckedFile& file = finds_.found.lone.emplace_back();
+    file.path = finds_.label(path);
+    file.findings.push_back(finding_of(rule, severity, file.path,
+                                       "named like the set " + in_quotes(set) +
+                                           " beside it, and the word behind that is not known: not judged"));
   }
 
   // The folders of the run's pictures that may hold files that are no candidates. Of a folder that a search has
@@ -209,6 +242,8 @@ class Pictures {
   const FilesOfPictures& files_;
   Finds& finds_;
   std::vector<NamedPicture> pictures_;
+  std::vector<std::string> unknown_;             // paths of pictures whose names tell no role
+  std::unordered_set<std::string> judged_keys_;  // of NamedPicture, without tile and level
 };
 
 }  // namespace
