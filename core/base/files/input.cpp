@@ -111,8 +111,8 @@ class Pipe {
       if (found > 0) break;
       if (found < 0 && errno != EINTR) throw Error::at(path_, "cannot be read: " + reason_of(errno));
       if (Clock::now() < end) continue;
-      // A writer that comes later waits for the next reader. With this end still open it would write into it and
-      // leave, and the next reader would wait for a writer that has been.
+      // A writer that comes later has to wait for the next reader. Were this end still open, the writer would
+      // open the pipe and leave again at once, and the next reader would wait for a writer that has gone.
       source_ = Descriptor();
       throw Error::at(path_, "nothing came from this pipe in " + number(timeout, 6) + " s",
                       "a program that writes to it, or more time by " + setting("input-timeout"));

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 namespace etak {
@@ -241,14 +240,16 @@ void for_each_value(std::vector<NamedPicture*> same, Value (*value_of)(const Nam
   }
 }
 
-// The later comes first: a name without a version is what was handed over, "final" is the last of the versions,
-// and copies are nobody's choice. Numbers count by their value: v12 comes after v9.
-std::tuple<int, std::string> age(const NamedPicture& picture) {
+// By which the versions of a picture are put in order, the one to judge first: a name without a version is taken for
+// what was handed over, "final" for the last of the versions, and copies and old states come after all others.
+// Numbers count by their value: v12 is later than v9.
+std::pair<int, std::string> age(const NamedPicture& picture) {
   const std::string& version = picture.name.version;
   if (version.empty()) return {0, {}};
   for (const char* state : {"cop", "kopie", "old", "bak", "backup"})
     if (version.find(state) != version.npos) return {3, version};
-  // Digits in front of which zeros make them equally long, turned around so that the largest is first.
+  // Numbers get leading zeros, so that all are equally long, and each digit d becomes 9 - d, so that the largest
+  // number comes first.
   std::string turned;
   for (std::size_t i = 0; i < version.size();) {
     const std::size_t end = std::min(version.find_first_not_of("0123456789", i), version.size());

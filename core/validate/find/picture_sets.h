@@ -37,8 +37,9 @@ struct PictureSet {
 /// Puts the pictures of one key together: diffuse with specular (and gloss), base colour with metallic and
 /// roughness or with a packed picture, F0 alone; normal, height, occlusion and emissive maps are a set of their
 /// own, the last. Two resolutions, formats or numbers of one set are two sets; files without a number belong to
-/// each number that lacks their role. Of several versions of a part the newest is taken. The other pictures decide what an
-/// ambiguous word means: "diffuse" beside roughness is a base colour, "albedo" beside F0 is diffuse.
+/// each number that lacks their role. Of several versions of a part the newest is taken. The other pictures
+/// decide what an ambiguous word means: "diffuse" beside roughness is a base colour, "albedo" beside F0 is
+/// diffuse.
 std::vector<PictureSet> sets_of(std::span<NamedPicture> same);
 
 }  // namespace etak

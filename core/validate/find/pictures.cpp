@@ -123,13 +123,13 @@ class Pictures {
     finds_.list(finds_.found.unknown.back(), "", ListedAs::unknown, why);
   }
 
-  // Reports a picture that nothing is known of where its name is that of a judged set and one or two words.
+  // Reports a picture of unknown role whose name is that of a judged set with one or two more words behind it.
   void find_set_of(const std::string& path) {
     const std::size_t begin = folder_of(path).size();
     const std::string name = lower_case(path.substr(0, path.rfind('.')));
     std::size_t at = name.size();
     for (int words = 0; words < 2; ++words) {
-      at = name.find_last_of("_-. ", at - 1);
+      at = name.find_last_of(name_separators, at - 1);
       if (at == name.npos || at <= begin) return;
       if (judged_keys_.contains(name.substr(0, at)))
         return unknown_member(path, path.substr(begin, at - begin));

@@ -18,6 +18,9 @@ namespace etak {
 // tile and level of detail. The words are those of the conventions of studios and tools (conventions.cpp) and
 // those of [names] in etak.toml.
 
+/// What stands between the parts of a name.
+inline constexpr std::string_view name_separators = "_-. ";
+
 /// Whose convention a name follows.
 ///   common   words that Blender, Godot, glTF exporters and many others share
 ///   own      [names] or [roles] of etak.toml

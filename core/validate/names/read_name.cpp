@@ -24,7 +24,6 @@ struct NameMarks {
 
 namespace {
 
-constexpr std::string_view name_separators = "_-. ";
 constexpr std::size_t most_joined = 4;  // parts of a name that one word may stand in: "diffuse_alpha"
 
 std::vector<NamePart> parts_of(std::string_view stem) {
@@ -235,11 +234,10 @@ std::string_view text_between(std::string_view first, std::string_view last) {
 
 // Where a word of a name may begin by its case alone: before "Base" and "Color" of "wallBaseColor".
 std::vector<std::size_t> case_boundaries(std::string_view text) {
-  const auto is_capital = [&](std::size_t i) { return text[i] >= 'A' && text[i] <= 'Z'; };
   std::vector<std::size_t> out;
   for (std::size_t i = 1; i < text.size(); ++i)
-    if (is_capital(i) &&
-        (!is_capital(i - 1) || (i + 1 < text.size() && !is_capital(i + 1) && !is_digit(text[i + 1]))))
+    if (is_upper(text[i]) &&
+        (!is_upper(text[i - 1]) || (i + 1 < text.size() && !is_upper(text[i + 1]) && !is_digit(text[i + 1]))))
       out.push_back(i);
   return out;
 }
@@ -260,7 +258,7 @@ std::size_t number_behind(std::string_view text) {
   while (digits < std::min<std::size_t>(text.size(), 3) && is_digit(text[text.size() - 1 - digits])) ++digits;
   if (digits > 0 || text.size() < 2) return digits;
   const char last = text.back(), before = text[text.size() - 2];
-  return last >= 'A' && last <= 'Z' && before >= 'a' && before <= 'z' ? 1 : 0;
+  return is_upper(last) && is_lower(before) ? 1 : 0;
 }
 
 }  // namespace
@@ -271,7 +269,7 @@ NameReader::Word NameReader::take_word(std::vector<NamePart>& parts, NameMarks& 
     const std::string_view first = parts[parts.size() - joined].text;
     const Word found = word(text_between(first, parts.back().text));
     if (!found) continue;
-    marks.capital = !first.empty() && first.front() >= 'A' && first.front() <= 'Z';
+    marks.capital = !first.empty() && is_upper(first.front());
     parts.resize(parts.size() - joined);
     return found;
   }
@@ -388,7 +386,7 @@ std::optional<ParsedName> NameReader::read_in_folder(std::string_view folder,
   ParsedName out;
   std::vector<NamePart> parts = parts_of(without_copy_number(file_name.substr(0, file_name.rfind('.')), out));
   NameMarks marks;
-  marks.capital = folder.front() >= 'A' && folder.front() <= 'Z';
+  marks.capital = is_upper(folder.front());
   while (parts.size() > 1 && take_part(parts, out, marks, false)) {
   }
   say(found, marks, out);

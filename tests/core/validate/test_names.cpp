@@ -261,7 +261,8 @@ TEST_CASE("what lacks its companion is said, and nothing is invented for it") {
   CHECK(sets_text({"logo_color.png"}) == " ?logo_color.png");
 }
 
-// What the hundred patterns are taken for: files are named as find does, and a file in a folder may have its word there.
+// How many of the hundred patterns are read and put together as they are meant. Paths are those of the list, so
+// that the name of a folder counts as it does in a run.
 struct PatternsRead {
   int lines = 0, whole = 0;
   std::string wrong;
