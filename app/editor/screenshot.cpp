@@ -92,7 +92,8 @@ void put_tiles_on(Window& window) {
   const QString gloss = tiles(
       "tiles_gloss.png", [](int i) { return QColor(Qt::white).darker(110 + i * 5 % 7 * 12); },
       QColor(60, 60, 60));
-  window.inspector().textures().take_files({colors, gloss}, Channel::diffuse);
+  window.take_files({colors, gloss});
+  settle(window);
 }
 
 // Makes the current material one that has findings, and selects the first of them.

@@ -213,6 +213,7 @@ void Window::connect_panels() {
   connect(project_panel_, &ProjectPanel::picked, this, &Window::end_preview);
   connect(findings_, &FindingsPanel::go_to, this, &Window::go_to_finding);
   connect(inspector_, &Inspector::told, this, &Window::tell);
+  connect(&inspector_->textures(), &TextureSection::dropped, this, &Window::take_picture);
   connect(&inspector_->textures(), &TextureSection::refused, this,
           [this](const QString& why) { show_problems(tr("This cannot be taken"), {why}); });
   connect(&inspector_->textures(), &TextureSection::look_asked, this, [this](Channel channel) {

@@ -26,6 +26,7 @@ enum class ExportForm;
 namespace etak::editor {
 
 class CurvesPanel;
+struct DroppedSet;
 class FindingsPanel;
 class Inspector;
 class LibraryPanel;
@@ -79,9 +80,9 @@ class Window : public QMainWindow {
   void open(const QString& path);
   void save_to(const QString& path);
   void import(const QStringList& paths);
-  /// Takes dropped files: spectra are imported, pictures become textures of the current material, a .hdr
-  /// becomes the environment. For a project, the user is asked whether to open it or to add its materials.
-  /// Other files are refused with a message.
+  /// Takes dropped files: spectra are imported, a .hdr becomes the environment. Pictures with one name become
+  /// textures of the current material, those of several names one material for each name. For a project, the
+  /// user is asked whether to open it or to add its materials. Other files are refused with a message.
   void take_files(const QStringList& paths);
   PackDialog* pack_to(const QString& folder);
   /// Offers the copies of unsaved changes that killed runs left behind, until one is recovered. Returns
@@ -139,6 +140,10 @@ class Window : public QMainWindow {
   bool wait_for_save();
   RecoveryChoice ask_recovery(const Recovery& recovery);
   bool can_take(const QStringList& files);
+  ///   refused   what to tell of the other files that were dropped with them
+  void take_pictures(const QStringList& files, const QStringList& refused);
+  void take_sets(const std::vector<DroppedSet>& sets);
+  void take_picture(Channel channel, const QString& file);
   void take_spectra(const QStringList& files);
   void ask_open_or_add(const QString& project);
   void recover(const Recovery& recovery);

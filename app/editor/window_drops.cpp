@@ -5,16 +5,21 @@
 #include <QMimeData>
 #include <QPushButton>
 
+#include "app/editor/document/dropped_pictures.h"
 #include "app/editor/document/files.h"
+#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/texture_section.h"
 #include "app/editor/window.h"
 #include "app/viewport/background.h"
+#include "app/viewport/qt_text.h"
 
 namespace etak::editor {
 
 bool Window::can_take(const QStringList& files) {
-  const auto known = [](const QString& file) { return kind_of_file(file) != FileKind::other; };
+  const auto known = [](const QString& file) {
+    return kind_of_file(file) != FileKind::other || QFileInfo(file).isDir();
+  };
   if (std::any_of(files.begin(), files.end(), known)) return true;
   if (!files.isEmpty()) tell(tr("%1: %2").arg(QFileInfo(files.front()).fileName(), expected_files()));
   return false;
@@ -50,15 +55,58 @@ void Window::take_files(const QStringList& paths) {
         set_environment(path);
         break;
       case FileKind::other:
-        refused << tr("%1: %2").arg(QFileInfo(path).fileName(), expected_files());
+        if (QFileInfo(path).isDir())
+          pictures << path;
+        else
+          refused << tr("%1: %2").arg(QFileInfo(path).fileName(), expected_files());
     }
   if (!spectra.isEmpty()) take_spectra(spectra);
-  if (!pictures.isEmpty() && document_.material() == nullptr)
-    refused << tr("%1: a texture needs a material; add one from the library first")
-                   .arg(QFileInfo(pictures.front()).fileName());
-  else if (!pictures.isEmpty())
-    inspector_->textures().take_files(pictures, Channel::diffuse);
-  if (!refused.isEmpty()) show_problems(tr("Some files cannot be taken"), refused);
+  if (!pictures.isEmpty())
+    take_pictures(pictures, refused);
+  else if (!refused.isEmpty())
+    show_problems(tr("Some files cannot be taken"), refused);
+}
+
+void Window::take_pictures(const QStringList& files, const QStringList& refused) {
+  read_or_write([files] { return sort_pictures(files); },
+                [this, refused, at = document_.current(),
+                 generation = document_.generation()](DroppedPictures dropped) {
+                  dropped.refused = refused + dropped.refused;
+                  if (at != document_.current() || generation != document_.generation())
+                    return tell(tr("The pictures were not taken: another material is in hand now"));
+                  take_sets(dropped.sets);
+                  if (!dropped.refused.isEmpty())
+                    show_problems(tr("Some files cannot be taken"), dropped.refused);
+                });
+}
+
+void Window::take_sets(const std::vector<DroppedSet>& sets) {
+  if (sets.empty()) return;
+  QStringList names;
+  for (const DroppedSet& set : sets) {
+    QStringList channels;
+    for (const auto& [channel, path] : set.files) channels << qt_text(name(channel));
+    names << tr("%1: %2").arg(qt_text(set.name), channels.join(QLatin1String(", ")));
+  }
+  if (sets.size() == 1 && document_.material() != nullptr) {
+    document_.change_material(tr("textures"), next_press_id(),
+                              [&](ProjectMaterial& m) { take_set(sets.front(), m); });
+  } else {
+    std::vector<ProjectMaterial> materials;
+    for (const DroppedSet& set : sets) materials.push_back(material_of(set));
+    document_.add(std::move(materials), {}, tr("materials of pictures"));
+  }
+  tell(names.join(QLatin1String("; ")));
+}
+
+void Window::take_picture(Channel channel, const QString& file) {
+  read_or_write([file] { return picture_failure(file); },
+                [this, channel, file, at = document_.current(),
+                 generation = document_.generation()](const QString& failure) {
+                  if (!failure.isEmpty()) return show_problems(tr("This cannot be taken"), {failure});
+                  if (at == document_.current() && generation == document_.generation())
+                    take_sets({DroppedSet{document_.material()->name, {{channel, file}}}});
+                });
 }
 
 void Window::take_spectra(const QStringList& files) {

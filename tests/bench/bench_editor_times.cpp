@@ -43,7 +43,7 @@ class EditorTimes : public QObject {
     QVERIFY(tiles.save(file, "PNG", 90));
     QElapsedTimer timer;
     timer.start();
-    window->inspector().textures().take_files({file}, Channel::diffuse);
+    put_texture(window, Channel::diffuse, file);
     const auto textures = [&] { return window->viewport().state().a.textures; };
     const double first = until_drawn(window, timer, [&] { return textures() != nullptr; });
     QVERIFY(first > 0);

@@ -151,6 +151,13 @@ inline QString grey_picture(TestWindow& window, const QString& name) {
   return file;
 }
 
+/// Gives the current material a picture, which is not looked at.
+inline void put_texture(TestWindow& window, Channel channel, const QString& path) {
+  window->document().change_material(QStringLiteral("texture"), 0, [&](ProjectMaterial& m) {
+    set_texture(m, channel, ImageSource{path.toStdString(), {}, {}});
+  });
+}
+
 /// A page of the database, as a user has it.
 inline constexpr const char* glass_page =
     "REFERENCES: |\n    A. Tester. Test data. J. Tests 1, 2 (2001)\nDATA:\n  - type: tabulated nk\n"

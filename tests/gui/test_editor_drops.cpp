@@ -2,6 +2,7 @@
 // Dropped and imported files: spectra, pictures, environments, projects, and what cannot be taken.
 #include <QLineEdit>
 
+#include "app/editor/document/dropped_pictures.h"
 #include "app/editor/document/files.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/texture_section.h"
@@ -19,6 +20,73 @@ QWidget* texture_row(TestWindow& window, Channel channel) {
     if (each->property("channel").isValid() && each->property("channel").toInt() == static_cast<int>(channel))
       return each;
   return nullptr;
+}
+
+// Drops pictures that are made under these names, and waits until they are taken or refused.
+void drop_pictures(TestWindow& window, const QStringList& names) {
+  QStringList files;
+  for (const QString& each : names) files << grey_picture(window, each);
+  QVERIFY(drop(window->viewport(), files));
+  QVERIFY(window.settle());
+}
+
+// The pictures of a material: "diffuse wood.png, gloss wood_gloss.png".
+QString slots_of(const ProjectMaterial& material) {
+  QStringList out;
+  for (const Channel channel : all_channels)
+    if (const auto& texture = material.texture(channel)) {
+      const std::string_view word = name(channel);
+      out << QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())) + QLatin1Char(' ') +
+                 QFileInfo(QString::fromStdString(texture->path)).fileName();
+    }
+  return out.join(QLatin1String(", "));
+}
+
+// A set of one convention: what becomes of each of its files.
+struct ConventionDrop {
+  const char *convention, *files, *in_slots;
+  QStringList refused;
+};
+const std::vector<ConventionDrop>& convention_drops() {
+  static const std::vector<ConventionDrop> drops{
+      {"Unreal",
+       "T_Worn_D.png T_Worn_ORM.png T_Worn_N.png",
+       "diffuse T_Worn_D.png",
+       {"T_Worn_ORM.png: occlusion, roughness, metallic: not taken yet",
+        "T_Worn_N.png: normal: not taken yet"}},
+      {"Unity",
+       "Worn_BaseMap.png Worn_MaskMap.png Worn_Normal.png",
+       "diffuse Worn_BaseMap.png",
+       {"Worn_MaskMap.png: metallic, occlusion, smoothness: not taken yet",
+        "Worn_Normal.png: normal: not taken yet"}},
+      {"Substance",
+       "Crate_Iron_BaseColor.png Crate_Iron_Roughness.png Crate_Iron_Metallic.png Crate_Iron_Normal.png "
+       "Crate_Iron_Height.png Crate_Iron_AmbientOcclusion.png",
+       "diffuse Crate_Iron_BaseColor.png, occlusion Crate_Iron_AmbientOcclusion.png",
+       {"Crate_Iron_Roughness.png: roughness: not taken yet",
+        "Crate_Iron_Metallic.png: metallic: not taken yet", "Crate_Iron_Normal.png: normal: not taken yet",
+        "Crate_Iron_Height.png: height: not taken yet"}},
+      {"Poly Haven",
+       "planks_diff_4k.png planks_rough_4k.png planks_nor_gl_4k.png planks_arm_4k.png planks_ao_4k.png",
+       "diffuse planks_diff_4k.png, occlusion planks_ao_4k.png",
+       {"planks_rough_4k.png: roughness: not taken yet", "planks_nor_gl_4k.png: normal: not taken yet",
+        "planks_arm_4k.png: occlusion, roughness, metallic: not taken yet"}},
+      {"ambientCG",
+       "Bark01_4K-PNG_Color.png Bark01_4K-PNG_NormalGL.png Bark01_4K-PNG_NormalDX.png "
+       "Bark01_4K-PNG_Roughness.png Bark01_4K-PNG_AmbientOcclusion.png Bark01_4K-PNG_Displacement.png",
+       "diffuse Bark01_4K-PNG_Color.png, occlusion Bark01_4K-PNG_AmbientOcclusion.png",
+       {"Bark01_4K-PNG_NormalGL.png: normal: not taken yet",
+        "Bark01_4K-PNG_NormalDX.png: normal: not taken yet",
+        "Bark01_4K-PNG_Roughness.png: roughness: not taken yet",
+        "Bark01_4K-PNG_Displacement.png: height: not taken yet"}},
+      {"Poliigon",
+       "Steel05_COL_2K_METALNESS.png Steel05_NRM_2K_METALNESS.png Steel05_ROUGHNESS_2K_METALNESS.png "
+       "Steel05_METALNESS_2K_METALNESS.png Steel05_AO_2K_METALNESS.png",
+       "diffuse Steel05_COL_2K_METALNESS.png, occlusion Steel05_AO_2K_METALNESS.png",
+       {"Steel05_NRM_2K_METALNESS.png: normal: not taken yet",
+        "Steel05_ROUGHNESS_2K_METALNESS.png: roughness: not taken yet",
+        "Steel05_METALNESS_2K_METALNESS.png: metallic: not taken yet"}}};
+  return drops;
 }
 
 }  // namespace
@@ -110,8 +178,10 @@ class EditorDrops : public QObject {
     QWidget* row = texture_row(window, Channel::specular);
     QVERIFY(row != nullptr);
     QVERIFY(drop(*row, {wood}));
+    QVERIFY(window.settle());
     QCOMPARE(window->document().material()->texture(Channel::specular)->path, wood.toStdString());
     QVERIFY(drop(window->viewport(), {wood, gloss}));
+    QVERIFY(window.settle());
     QCOMPARE(window->document().material()->texture(Channel::diffuse)->path, wood.toStdString());
     QCOMPARE(window->document().material()->texture(Channel::gloss)->path, gloss.toStdString());
     QVERIFY(QTest::qWaitFor([&] { return window->texture_view().textures() != nullptr; }, 20000));
@@ -122,15 +192,141 @@ class EditorDrops : public QObject {
     QVERIFY(!window->document().material()->texture(Channel::specular));
   }
 
+  void a_set_of_each_of_six_conventions_fills_its_slots_and_the_rest_is_refused_by_name() {
+    for (const ConventionDrop& each : convention_drops()) {
+      TestWindow window(true);
+      QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+      window->show();
+      drop_pictures(window, QString::fromLatin1(each.files).split(QLatin1Char(' ')));
+      QCOMPARE(slots_of(*window->document().material()), QString::fromLatin1(each.in_slots));
+      const QString told = shown_message(window);
+      for (const QString& line : each.refused)
+        QVERIFY2(told.split(QLatin1Char('\n')).contains(line), qPrintable(line + " in " + told));
+      // One step of undo takes all of the drop back.
+      window->document().undo_stack().undo();
+      QCOMPARE(slots_of(*window->document().material()), QString());
+      QCOMPARE(window->document().project().materials.size(), std::size_t{1});
+    }
+  }
+
+  void words_of_names_count_with_the_pictures_beside_them() {
+    const TestWindow window(true);
+    const auto sorted = [&](const QStringList& names) {
+      QStringList files;
+      for (const QString& each : names) {
+        QImage grey(4, 4, QImage::Format_RGB32);
+        grey.fill(Qt::gray);
+        files << window.file(each);
+        QDir().mkpath(QFileInfo(files.back()).path());
+        grey.save(files.back());
+      }
+      QStringList out;
+      const DroppedPictures dropped = sort_pictures(files);
+      for (const DroppedSet& set : dropped.sets) out << slots_of(material_of(set));
+      return (out << dropped.refused).join(QLatin1String("; "));
+    };
+    // T_x_A is the opacity beside T_x_D, and the colour where it is alone.
+    QCOMPARE(sorted({"T_Leaf_D.png", "T_Leaf_A.png"}),
+             QStringLiteral("diffuse T_Leaf_D.png, alpha T_Leaf_A.png"));
+    QCOMPARE(sorted({"T_Leaf_A.png"}), QStringLiteral("diffuse T_Leaf_A.png"));
+    // A word in front, and the name of a folder, are proof with companions alone.
+    QCOMPARE(sorted({"metal_plate.png"}), QStringLiteral("diffuse metal_plate.png"));
+    QCOMPARE(sorted({"metal/plate.png"}), QStringLiteral("diffuse plate.png"));
+    QCOMPARE(sorted({"crate_n.png"}), QStringLiteral("crate_n.png: normal: not taken yet"));
+    QCOMPARE(sorted({"Wall_Cavity.png"}), QStringLiteral("Wall_Cavity.png: cavity: not taken yet"));
+    QCOMPARE(sorted({"crate.png", "crate_albedo.png"}),
+             QStringLiteral("diffuse crate_albedo.png; crate.png: its name tells no channel, and "
+                            "crate_albedo.png is the diffuse colour"));
+    QCOMPARE(sorted({"lamp_emissive.png", "lamp-ao.png", "lamp-Specular.png", "lamp_gloss.png"}),
+             QStringLiteral("specular lamp-Specular.png, gloss lamp_gloss.png, emission lamp_emissive.png, "
+                            "occlusion lamp-ao.png"));
+  }
+
+  void two_files_for_one_channel_and_a_broken_one_are_told_and_not_taken() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    window->show();
+    const Project before = window->document().project();
+    drop_pictures(window, {QStringLiteral("wall_albedo.png"), QStringLiteral("wall_basecolor.png")});
+    QVERIFY(shown_message(window).contains(QLatin1String(
+        "wall_albedo.png, wall_basecolor.png: 2 files for the channel diffuse; none of them is taken")));
+    QVERIFY(window->document().project() == before);
+    // Cut short, damaged inside, and no picture at all: on the window and on the row of a channel.
+    const QByteArray whole = bytes_of(grey_picture(window, QStringLiteral("whole.png")));
+    QByteArray damaged = whole;
+    damaged[damaged.size() - 16] = static_cast<char>(damaged[damaged.size() - 16] ^ 1);
+    for (const QByteArray& bytes : {whole.left(whole.size() / 2), damaged, QByteArray("no picture")}) {
+      const QString file = window.file(QStringLiteral("bad_gloss.png"));
+      write(file, bytes);
+      for (QWidget* target :
+           {static_cast<QWidget*>(&window->viewport()), texture_row(window, Channel::gloss)}) {
+        QVERIFY(drop(*target, {file}));
+        const QString told = shown_message(window);
+        QVERIFY2(told.contains(QLatin1String("bad_gloss.png")), qPrintable(told));
+        QVERIFY(window.settle());
+        QVERIFY(window->document().project() == before);
+      }
+    }
+  }
+
+  void each_name_of_a_drop_becomes_a_material_of_its_own() {
+    TestWindow window(true);
+    show_active(window);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    const Project before = window->document().project();
+    QStringList names;
+    for (int i = 0; i < 20; ++i)
+      names << QStringLiteral("Stone%1_albedo.png").arg(i, 2, 10, QLatin1Char('0'));
+    drop_pictures(window, names);
+    const auto& materials = window->document().project().materials;
+    QCOMPARE(materials.size(), std::size_t{21});
+    for (int i = 0; i < 20; ++i) {
+      const ProjectMaterial& each = materials[static_cast<std::size_t>(i) + 1];
+      QCOMPARE(each.name, QStringLiteral("Stone%1").arg(i, 2, 10, QLatin1Char('0')).toStdString());
+      QCOMPARE(slots_of(each), QStringLiteral("diffuse ") + names[i]);
+    }
+    QVERIFY(materials[0] == before.materials[0]);
+    QTest::keyClick(window.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->document().project() == before);
+    // A project without a material gets one of a single set too.
+    window->document().remove(0);
+    drop_pictures(window, {QStringLiteral("leaf.png"), QStringLiteral("leaf_opacity.png")});
+    QCOMPARE(materials.size(), std::size_t{1});
+    QCOMPARE(materials[0].name, std::string("leaf"));
+    QVERIFY(materials[0].alpha_mode == AlphaMode::blend);
+  }
+
+  void a_folder_gives_its_pictures_and_one_of_five_hundred_is_refused_as_a_whole() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    window->show();
+    const Project before = window->document().project();
+    const QString folder = window.file(QStringLiteral("set"));
+    QVERIFY(QDir().mkpath(folder));
+    QVERIFY(drop(window->viewport(), {folder}));
+    QVERIFY(shown_message(window).contains(QLatin1String("set: a folder without pictures")));
+    for (const char* each : {"set/T_Worn_D.png", "set/T_Worn_AO.png"})
+      grey_picture(window, QString::fromLatin1(each));
+    write(folder + QStringLiteral("/letter.txt"), "x");
+    QVERIFY(drop(window->viewport(), {folder}));
+    QVERIFY(window.settle());
+    QCOMPARE(slots_of(*window->document().material()),
+             QStringLiteral("diffuse T_Worn_D.png, occlusion T_Worn_AO.png"));
+    window->document().undo_stack().undo();
+    for (int i = 0; i < 500; ++i) grey_picture(window, QStringLiteral("set/Rock%1_albedo.png").arg(i));
+    QVERIFY(drop(window->viewport(), {folder}));
+    const QString told = shown_message(window, 20000);
+    QVERIFY2(told.contains(QLatin1String("501 names")) && told.contains(QLatin1String("none was made")),
+             qPrintable(told));
+    QVERIFY(window->document().project() == before);
+  }
+
   void files_of_other_kinds_are_refused_with_a_message() {
     TestWindow window(true);
     window->show();
     write(window.file(QStringLiteral("letter.docx")), "x");
     write(window.file(QStringLiteral("page.yml")), glass_page);
     const QString wood = grey_picture(window, QStringLiteral("wood.png"));
-    // A texture is dropped where the project has no material.
-    QVERIFY(drop(window->viewport(), {wood}));
-    QVERIFY(shown_message(window).contains(QLatin1String("needs a material")));
     QVERIFY(window->use_library_material(QStringLiteral("pmma")));
     const Project before = window->document().project();
     for (QWidget* target :
@@ -146,6 +342,7 @@ class EditorDrops : public QObject {
       const QString refused = shown_message(window);
       QVERIFY2(refused.contains(QLatin1String("letter.docx")) && refused.contains(QLatin1String(".csv")),
                qPrintable(refused));
+      QVERIFY(window.settle());
       QVERIFY(window->document().material()->texture(Channel::diffuse));
       window->document().undo_stack().undo();
     }
@@ -153,6 +350,7 @@ class EditorDrops : public QObject {
     QVERIFY(!drop(row, {window.file(QStringLiteral("letter.docx"))}));
     QVERIFY(drop(row, {window.file(QStringLiteral("page.yml")), wood}));
     QVERIFY(shown_message(window).contains(QLatin1String("no picture")));
+    QVERIFY(window.settle());
     window->document().undo_stack().undo();
     QVERIFY(window->document().project() == before);
     // A file with the ending of a page that holds no page.

@@ -86,9 +86,8 @@ class EditorExport : public QObject {
   void a_textured_material_is_exported_with_its_textures() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("pmma")));
-    window->inspector().textures().take_files({grey_picture(window, QStringLiteral("wood.png")),
-                                               grey_picture(window, QStringLiteral("wood_gloss.png"))},
-                                              Channel::diffuse);
+    put_texture(window, Channel::diffuse, grey_picture(window, QStringLiteral("wood.png")));
+    put_texture(window, Channel::gloss, grey_picture(window, QStringLiteral("wood_gloss.png")));
     std::vector<std::string> files;
     for (const char* ending : {"gltf", "glb"}) {
       const QString file = window.file(QStringLiteral("wood.") + QLatin1String(ending));
@@ -128,8 +127,7 @@ class EditorExport : public QObject {
   void a_texture_that_cannot_be_read_stops_the_export_with_a_message() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
-    window->inspector().textures().take_files({window.file(QStringLiteral("wood_gloss.png"))},
-                                              Channel::diffuse);
+    put_texture(window, Channel::gloss, window.file(QStringLiteral("wood_gloss.png")));
     for (const char* kind : {"MaterialX", "glTF", "glTF, binary"}) {
       const QString file = window.file(QStringLiteral("out.x"));
       export_as(window, kind, file);
@@ -145,8 +143,7 @@ class EditorExport : public QObject {
   void values_of_a_textured_material_are_not_copied() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
-    window->inspector().textures().take_files({grey_picture(window, QStringLiteral("wood_gloss.png"))},
-                                              Channel::diffuse);
+    put_texture(window, Channel::gloss, grey_picture(window, QStringLiteral("wood_gloss.png")));
     QApplication::clipboard()->setText(QStringLiteral("nothing"));
     for (const EngineTarget& target : engine_targets()) {
       action_named(*window,

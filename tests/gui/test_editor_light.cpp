@@ -152,7 +152,7 @@ class EditorLight : public QObject {
     window->show();
     QVERIFY(window->use_library_material(QStringLiteral("pmma")));
     const QString file = picture_of_tiles(window, QStringLiteral("wood_diffuse.png"), 64);
-    window->inspector().textures().take_files({file}, Channel::diffuse);
+    put_texture(window, Channel::diffuse, file);
     set_gloss(window, 0.4);
     QVERIFY(QTest::qWaitFor([&] { return std::abs(gloss_shown(window) - 0.4) < 0.01; }, long_ms));
     QVERIFY(window.settle());

@@ -63,7 +63,7 @@ class EditorShown : public QObject {
     QString path = QStringLiteral("/a");
     for (int i = 0; i < 20; ++i) path += QStringLiteral("/folder %1").arg(i);
     path += QStringLiteral("/wood.png");
-    window->inspector().textures().take_files({path}, Channel::diffuse);
+    put_texture(window, Channel::diffuse, path);
     const Project before = window->document().project();
     auto* line = named<PathEdit>(window->inspector(), QStringLiteral("Diffuse texture, file"));
     QVERIFY(line != nullptr);

@@ -390,17 +390,6 @@ class EditorWidgets : public QObject {
     QVERIFY(document.project() == end);
   }
 
-  void names_of_files_tell_their_channel() {
-    QVERIFY(channel_of_name(QStringLiteral("/a/crate_gloss.png")) == Channel::gloss);
-    QVERIFY(channel_of_name(QStringLiteral("crate-Specular.tif")) == Channel::specular);
-    QVERIFY(channel_of_name(QStringLiteral("albedo.exr")) == Channel::diffuse);
-    QVERIFY(channel_of_name(QStringLiteral("lamp_emissive.exr")) == Channel::emission);
-    QVERIFY(channel_of_name(QStringLiteral("lamp_emission.png")) == Channel::emission);
-    QVERIFY(channel_of_name(QStringLiteral("wall-ao.png")) == Channel::occlusion);
-    QVERIFY(channel_of_name(QStringLiteral("wall_Occlusion.png")) == Channel::occlusion);
-    QVERIFY(!channel_of_name(QStringLiteral("crate.png")));
-  }
-
   void the_command_line_is_checked_before_a_display_is_asked_for() {
     const auto parsed = [](const QStringList& list) {
       return parse_options(QStringList{QStringLiteral("etak-editor")} + list);

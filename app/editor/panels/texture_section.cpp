@@ -29,23 +29,6 @@ bool is_picture(const QString& path) {
 
 }  // namespace
 
-std::optional<Channel> channel_of_name(const QString& path) {
-  const QString name = QFileInfo(path).completeBaseName().toLower();
-  const auto ends = [&](std::initializer_list<const char*> words) {
-    return std::any_of(words.begin(), words.end(), [&](const char* word) {
-      return name == QLatin1String(word) || name.endsWith('_' + QLatin1String(word)) ||
-             name.endsWith('-' + QLatin1String(word));
-    });
-  };
-  if (ends({"diffuse", "diff", "albedo", "basecolor", "color"})) return Channel::diffuse;
-  if (ends({"specular", "spec", "f0"})) return Channel::specular;
-  if (ends({"gloss", "glossiness", "smoothness"})) return Channel::gloss;
-  if (ends({"alpha", "opacity", "mask"})) return Channel::alpha;
-  if (ends({"emission", "emissive", "emit"})) return Channel::emission;
-  if (ends({"occlusion", "ao", "ambientocclusion"})) return Channel::occlusion;
-  return std::nullopt;
-}
-
 TextureSection::TextureSection(Document& document, QWidget* parent)
     : Section(tr("Textures"), parent), document_(document) {
   for (const Channel channel : all_channels) {
@@ -110,7 +93,7 @@ bool TextureSection::eventFilter(QObject* object, QEvent* event) {
 
 void TextureSection::take_drop(Channel channel, const QStringList& files) {
   const auto first = std::find_if(files.begin(), files.end(), is_picture);
-  if (first != files.end()) set(channel, *first);
+  if (first != files.end()) emit dropped(channel, *first);
   for (auto each = files.begin(); each != files.end(); ++each) {
     if (each == first) continue;
     const QString name = QFileInfo(*each).fileName();
@@ -119,13 +102,6 @@ void TextureSection::take_drop(Channel channel, const QStringList& files) {
             ? tr("%1: a channel has one picture; %2 was taken").arg(name, QFileInfo(*first).fileName())
             : tr("%1 is no picture; expected %2").arg(name, picture_patterns()));
   }
-}
-
-void TextureSection::take_files(const QStringList& paths, Channel other) {
-  document_.change_material(tr("textures"), next_press_id(), [&](ProjectMaterial& m) {
-    for (const QString& path : paths)
-      set_texture(m, channel_of_name(path).value_or(other), ImageSource{path.toStdString(), {}, {}});
-  });
 }
 
 void TextureSection::set(Channel channel, const QString& path) {

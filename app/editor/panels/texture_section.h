@@ -18,14 +18,13 @@ class TextureSection : public Section {
  public:
   explicit TextureSection(Document& document, QWidget* parent = nullptr);
   void show_material(const ProjectMaterial* material);  // null: none
-  /// Assigns pictures to the channels that their names tell ("crate_gloss.png"); pictures whose names tell
-  /// none get the channel `other`.
-  void take_files(const QStringList& paths, Channel other);
   /// The line with the path of a channel's picture.
   QWidget& line_of(Channel channel);
 
  signals:
   void look_asked(etak::Channel channel);
+  /// A picture was dropped on the row of a channel.
+  void dropped(etak::Channel channel, const QString& file);
   void refused(const QString& why);
 
  protected:
@@ -41,8 +40,5 @@ class TextureSection : public Section {
   Document& document_;
   std::array<Row, all_channels.size()> rows_;
 };
-
-/// The channel that the name of a file tells, if any.
-std::optional<Channel> channel_of_name(const QString& path);
 
 }  // namespace etak::editor
