@@ -216,6 +216,38 @@ class EditorHands : public QObject {
     }
   }
 
+  void three_numbers_that_are_typed_with_tab_between_them_are_a_colour() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    show_active(window);
+    QStringList tried;
+    for (int tab = 0; tab < 3; ++tab) {
+      window->inspector_tabs().setCurrentIndex(tab);
+      for (ColorField* field : window->inspector_tabs().currentWidget()->findChildren<ColorField*>()) {
+        const QString which = field->accessibleName().section(QLatin1Char(','), 0, 0);
+        auto* red = named<FineSpinBox>(*field, which + QStringLiteral(", red, linear"));
+        QVERIFY2(red != nullptr, qPrintable(which));
+        if (!red->isVisible() || !red->isEnabled()) continue;
+        tried << which;
+        red->setFocus();
+        red->selectAll();
+        for (const char* number : {"0.9", "0.5", "0.2"}) {
+          QTest::keyClicks(QApplication::focusWidget(), QLatin1String(number));
+          QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        }
+        QVERIFY2(field->color() == (LinearRgb{0.9, 0.5, 0.2}), qPrintable(which));
+        // The next three are the codes, which show that colour and leave it as it is.
+        QVERIFY(QApplication::focusWidget()->accessibleName().endsWith(QLatin1String("red, sRGB 8 bit")));
+        for (int i = 0; i < 3; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QVERIFY2(field->color() == (LinearRgb{0.9, 0.5, 0.2}), qPrintable(which));
+      }
+    }
+    QVERIFY2(tried.contains(QLatin1String("Specular")) && tried.contains(QLatin1String("Diffuse")) &&
+                 tried.contains(QLatin1String("Light colour")),
+             qPrintable(tried.join(QLatin1String(", "))));
+    QVERIFY2(tried.size() >= 4, qPrintable(tried.join(QLatin1String(", "))));
+  }
+
   void letting_go_of_a_measurement_is_said_and_reset_goes_back_to_it() {
     TestWindow window(true);
     for (const auto& [id, field_name] : {std::pair{"gold", "Specular"}, {"brick", "Diffuse"}}) {

@@ -54,11 +54,14 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
     label->setProperty("quiet", true);
     grid->addWidget(label, row, 1);
   }
+  // The boxes are made line by line, because the Tab key goes through them in the order in which they are made.
   for (std::size_t c = 0; c < 3; ++c) {
     linear_[c] = add_number(grid, 0, c, tr("linear"), [](double value) { return value; });
     linear_[c]->setRange(0, 1000);
     linear_[c]->setToolTip(
         tr("%1, linear; in the field the wheel edits, Ctrl coarse, Shift fine").arg(channel_words()[c]));
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
     // An edit of a code sets one channel; the others keep their values, which 8 bits would round.
     codes_[c] = add_number(grid, 1, c, tr("sRGB 8 bit"), [](double code) { return srgb_decode(code / 255); });
     codes_[c]->setToolTip(tr("%1 as a code of 8-bit sRGB").arg(channel_words()[c]));
