@@ -49,7 +49,7 @@ std::string percent(double share) {
   return number(100 * share, 3) + " %";
 }
 
-// ---- roughness by class
+// ---- roughness by class and group
 
 struct ClassRow {
   std::string_view material_class;
@@ -57,7 +57,8 @@ struct ClassRow {
   bool is_gloss;  // else perceptual roughness
 };
 // Metals keep the gloss that etak has always drawn them with. Polished and liquid things are smooth; what is
-// met as parts, grains and stones lies between; everyday surfaces are close to the largest roughness.
+// met as parts, grains and stones lies between; everyday surfaces are close to the largest roughness, but for the
+// groups below.
 constexpr std::array<ClassRow, material_classes.size()> class_rows{{
     {"metal", 0.75, true},
     {"alloy", 0.75, true},
@@ -81,6 +82,27 @@ constexpr bool in_order_of_classes() {
   return true;
 }
 static_assert(in_order_of_classes(), "every class has its roughness");
+
+struct GroupRow {
+  std::string_view group;
+  double roughness;
+};
+// Groups of class "surface" that are met smoother than the class: oil is a liquid, moulded plastic and glazed or
+// waxed things have a sheen, skin, fruits and leather a broad highlight, sawn wood and broken stone a trace of one.
+// What is not here is matt, as fabric, paper, soil, powder, pigment, snow and what houses and roads are built of.
+constexpr auto group_rows = std::to_array<GroupRow>({{"oil", 0.1},
+                                                     {"plastic", 0.3},
+                                                     {"household", 0.3},
+                                                     {"paint", 0.35},
+                                                     {"hair", 0.4},
+                                                     {"skin", 0.45},
+                                                     {"leather", 0.5},
+                                                     {"food", 0.5},
+                                                     {"rubber", 0.6},
+                                                     {"wood", 0.6},
+                                                     {"plant", 0.6},
+                                                     {"metal", 0.6},
+                                                     {"stone", 0.7}});
 
 }  // namespace
 
@@ -147,6 +169,10 @@ bool is_clear_body(const Material& material, const Dataset& dataset, const Linea
 DefaultGloss default_gloss(const Material& material, bool clear_body) {
   constexpr const char* convention = ", a convention, no measurement";
   if (clear_body) return {Gloss::of_roughness(0), std::string("the default of clear bodies") + convention};
+  const auto group = std::ranges::find(group_rows, material.group, &GroupRow::group);
+  if (material.material_class == "surface" && group != group_rows.end())
+    return {Gloss::of_roughness(group->roughness),
+            "the default of class surface, group " + material.group + convention};
   const auto row = std::find_if(class_rows.begin(), class_rows.end(), [&](const ClassRow& each) {
     return each.material_class == material.material_class;
   });

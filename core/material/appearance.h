@@ -39,8 +39,8 @@ std::string black_body_remark(const Clarity& body);
 /// Whether a surface shows a clear body: the material has one, and no diffuse colour was put into it.
 bool is_clear_body(const Material& material, const Dataset& dataset, const LinearRgb& diffuse);
 
-/// The roughness of a surface where none is given: a convention by the class of the material. No measurement
-/// that could be cited was found.
+/// The roughness of a surface where none is given: a convention by the class of the material, and by its group
+/// where the class is "surface". No measurement that could be cited was found.
 ///   reason   "the default of class surface, a convention, no measurement"
 struct DefaultGloss {
   Gloss gloss;

@@ -56,6 +56,29 @@ class EditorShown : public QObject {
     QCOMPARE(window->document().material()->measured->material, std::string("water"));
   }
 
+  // Two black bodies, a moulded plastic and a pigment: what tells their pictures apart is their roughness.
+  void pictures_of_the_library_have_the_roughness_that_the_material_gets() {
+    TestWindow window(true);
+    window->show();
+    const auto brightest = [&](const char* id) {
+      const QModelIndex row = library_row(window->library_panel(), QLatin1String(id));
+      (void)row.data(Qt::DecorationRole);
+      if (!QTest::qWaitFor([&] { return window->thumbnails().is_idle(); }, 20000)) return -1;
+      const QImage picture = qvariant_cast<QIcon>(row.data(Qt::DecorationRole)).pixmap(128).toImage();
+      int out = 0;
+      for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+          if (y > picture.height() / 6) out = std::max(out, qGray(picture.pixel(x, y)));
+      return out;
+    };
+    const int plastic = brightest("plastic_abs_black"), pigment = brightest("pigment_bone_black");
+    QVERIFY2(plastic > pigment + 40, qPrintable(QStringLiteral("%1 and %2").arg(plastic).arg(pigment)));
+    for (const auto& [id, roughness] : {std::pair{"plastic_abs_black", 0.3}, {"pigment_bone_black", 0.9}}) {
+      QVERIFY(window->use_library_material(QLatin1String(id)));
+      QCOMPARE(window->document().material()->gloss.roughness(), roughness);
+    }
+  }
+
   void a_long_path_is_cut_where_it_is_shown_and_whole_where_it_counts() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("pmma")));

@@ -15,7 +15,7 @@ namespace etak::editor {
 namespace {
 
 // Part of the names of the files. It changes when the pictures change, so that older files are not used.
-constexpr const char* make = "etak-thumbnail-3";
+constexpr const char* make = "etak-thumbnail-4";
 constexpr int most_pictures = 4000;
 
 QImage drawn(const SurfaceValues& surface, Shape shape, int side) {

@@ -36,12 +36,13 @@ QPixmap with_dot(QPixmap picture) {
   return picture;
 }
 
-// The surface of a picture. All materials have the same gloss there, but clear bodies, which would show little,
-// have more.
+// The surface of a picture, with the roughness that the material has where it is added. In a perfect mirror lights
+// are points that no pixel hits: it is drawn with the highest gloss.
 SurfaceValues shown_surface(const Material& m) {
   const bool clear = clarity(m, m.preferred_dataset()).clear;
   const Vec3 diffuse = clear ? Vec3{0, 0, 0} : Vec3{0.25, 0.25, 0.25};
-  SurfaceValues out = surface_of(m, m.preferred_dataset(), diffuse, clear ? 1 : 0.7);
+  SurfaceValues out =
+      surface_of(m, m.preferred_dataset(), diffuse, Gloss(double{default_gloss(m, clear).gloss}));
   if (clear) out.opacity = 0;
   return out;
 }

@@ -119,6 +119,37 @@ TEST_CASE("every class has a roughness, and clear bodies are smooth") {
         "roughness 0.9 (gloss 0.00567): the default of class surface, a convention, no measurement");
 }
 
+TEST_CASE("everyday surfaces are as rough as their group, in the words of the convention") {
+  for (const auto& [id, roughness] : {std::pair{"plastic_red", 0.3},
+                                      {"painted_metal_grey", 0.35},
+                                      {"skin_light", 0.45},
+                                      {"leather_brown", 0.5},
+                                      {"wood_oak", 0.6},
+                                      {"rubber_red", 0.6},
+                                      {"granite", 0.7},
+                                      {"office_paper", 0.9},
+                                      {"denim", 0.9},
+                                      {"soil", 0.9},
+                                      {"chalk", 0.9},
+                                      {"brick", 0.9}}) {
+    INFO(id);
+    CHECK(default_gloss(record_of_library(id), false).gloss.roughness() == Approx(roughness));
+  }
+  CHECK(
+      default_gloss_remark(default_gloss(record_of_library("plastic_red"), false)) ==
+      "roughness 0.3 (gloss 0.661): the default of class surface, group plastic, a convention, no measurement");
+  CHECK(default_gloss(record_of_library("brick"), false).reason ==
+        "the default of class surface, a convention, no measurement");
+  // A word of a group says nothing of other classes, and one that is not known says nothing at all.
+  Material material;
+  material.material_class = "mineral";
+  material.group = "oil";
+  CHECK(default_gloss(material, false).gloss.roughness() == Approx(0.3));
+  material.material_class = "surface";
+  material.group = "velvet";
+  CHECK(default_gloss(material, false).gloss.roughness() == Approx(0.9));
+}
+
 TEST_CASE("surface and body add up to the total, and a dark total lowers F0") {
   for (const LinearRgb& total :
        {LinearRgb{0.5, 0.3, 0.1}, {0.04, 0.04, 0.04}, {0.02, 0.02, 0.02}, {1, 1, 1}, {0, 0, 0}}) {
