@@ -240,6 +240,17 @@ std::optional<std::string> zone_of(const F0Answer& answer) {
   return zone ? std::optional<std::string>(name(*zone)) : std::nullopt;
 }
 
+std::optional<py::dict> clear_of(const F0Answer& answer) {
+  const std::optional<ClearBody>& body = answer.row.clear;
+  if (!body) return std::nullopt;
+  py::dict out;
+  out["n_d"] = body->n_d;
+  out["v_d"] = body->v_d;
+  out["color"] = py::make_tuple(body->color.r, body->color.g, body->color.b);
+  out["depth_m"] = body->depth_m;
+  return out;
+}
+
 py::dict meanings_of(const F0Answer& answer) {
   py::dict out;
   answer.result().flags.for_each(
@@ -272,6 +283,9 @@ void add_origin(const auto& get) {
   get("kind", "\"measured\", \"fit\", \"computed\"; empty: not known.", of_row(&F0Row::kind));
   get("doubt", "Why the dataset is doubtful; empty: nothing says so.", of_row(&F0Row::doubt));
   get("alias_note", "What must be said of the name that was asked for.", of_row(&F0Row::alias_note));
+  get("clear",
+      "Of a clear body: n_d, Abbe's number v_d, and its colour in `space` through depth_m; None where it is not clear.",
+      &clear_of);
   get("policy", "What the numbers were computed by.", &policy_of);
   get("spread", "Of all datasets of the material; None for a file without a material.", &spread_of);
 }

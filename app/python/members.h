@@ -42,10 +42,14 @@ void members(To& to, S& s) {
   all_members(to, s.xyz, s.linear, s.srgb_linear, s.srgb8, s.luminance, s.f82, s.f82_tint, s.zone,
               s.channel_in_zone, s.gamut_excess, s.coverage, s.flags, s.integration, s.refusal);
 }
+template <class To, Like<ClearBody> S>
+void members(To& to, S& s) {
+  all_members(to, s.color, s.depth_m, s.n_d, s.v_d);
+}
 template <class To, Like<F0Row> S>
 void members(To& to, S& s) {
   all_members(to, s.path, s.name, s.material_class, s.dataset, s.source, s.result, s.alias_note, s.kind,
-              s.doubt);
+              s.doubt, s.clear);
 }
 template <class To, Like<Spread> S>
 void members(To& to, S& s) {

@@ -79,7 +79,7 @@ void take_clarity(const Material& material, const Clarity& body, ExportSurface& 
     out.notes.push_back(black_body_remark(body));
     return;
   }
-  out.clear = ClearBody{body.color, body.depth_m};
+  out.clear = body.body;
   out.notes.push_back("the body is clear: " + body.reason);
   if (material.material_class == "gas")
     out.notes.emplace_back("a gas has no surface of its own: the index alone is of use");

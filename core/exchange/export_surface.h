@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/color/gloss.h"
+#include "core/material/appearance.h"
 #include "core/material/f0.h"
 #include "core/material/material.h"
 
@@ -18,14 +19,6 @@ namespace etak {
 
 enum class SurfaceKind { metal, dielectric };
 std::string_view name(SurfaceKind kind);  // "metal", "dielectric"
-
-/// A body that light goes through: its colour over a depth, or white where no absorption is known and depth_m
-/// is 0.
-struct ClearBody {
-  LinearRgb color{1, 1, 1};
-  double depth_m = 0;
-  friend bool operator==(const ClearBody&, const ClearBody&) = default;
-};
 
 /// A surface to export: Schueler's four parameters, what is known of its edge and of its body.
 struct ExportSurface {

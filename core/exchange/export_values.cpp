@@ -2,6 +2,7 @@
 #include "core/exchange/export_values.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/json/json_text.h"
@@ -21,7 +22,11 @@ std::string json_color(const LinearRgb& c) {
 
 std::string json_clear(const std::optional<ClearBody>& body) {
   if (!body) return "null";
-  return json_object({{"color", json_color(body->color)}, {"depth_m", json(body->depth_m)}}, -1);
+  return json_object({{"n_d", json(body->n_d.value_or(NAN))},
+                      {"v_d", json(body->v_d.value_or(NAN))},
+                      {"color", json_color(body->color)},
+                      {"depth_m", json(body->depth_m)}},
+                     -1);
 }
 
 std::string json_field(const EngineField& field) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "core/material/appearance.h"
 #include "core/material/f0.h"
 
 namespace etak {
@@ -19,6 +21,7 @@ struct F0Row {
   std::string alias_note = {};  // note of the library on the alias that was asked for; may be empty
   std::string kind = {};        // of the dataset: "measured", "fit", "computed"; empty when unknown
   std::string doubt = {};       // why the dataset is doubtful; empty: it is not, or nothing is known of it
+  std::optional<ClearBody> clear = {};  // of a material whose body is clear, its colour in the space of F0
 };
 
 }  // namespace etak

@@ -152,6 +152,7 @@ void F0Worker::answer_dataset(const Material& material, const MaterialInput& inp
   row.source = one_line(dataset.citation);
   row.kind = kind_of(dataset.origin);
   row.doubt = doubt(material, dataset);
+  if (job.with_source) row.clear = clear_body(material, dataset, job.solver.options().space);
   const auto average =
       job.axis_average ? average_over_axes(job.solver, material, dataset) : std::optional<AxisAverage>();
   if (!average) {

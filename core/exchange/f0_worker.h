@@ -26,7 +26,7 @@ struct F0Job {
   const F0Solver& solver;
   TableOptions tables;
   bool axis_average = false;
-  bool with_source = false;  // fill in F0Row::source
+  bool with_source = false;  // fill in F0Row::source and F0Row::clear
   bool timed = false;
   bool materials = false;  // fill in F0Outcome::material in place of computing results
 };

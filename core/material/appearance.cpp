@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/number.h"
+#include "core/material/dispersion.h"
 #include "core/material/names.h"
 #include "core/spectrum/integration.h"
 #include "core/spectrum/interpolate.h"
@@ -43,6 +44,26 @@ std::optional<std::array<double, grid_size>> visible_k(const Dataset& dataset) {
   std::array<double, grid_size> out{};
   resample_to_grid(*constants->k, out);
   return out;
+}
+
+// n_d and Abbe's number of a dataset, where its n reaches the lines that they are defined by.
+void take_index(const OpticalConstants& constants, ClearBody& out) {
+  constexpr std::array<double, 3> lines_nm{486.1327, 587.5618, 656.2725};  // F, d, C
+  std::array<double, 3> n{};
+  double first_nm = 0, last_nm = 0;
+  if (const auto* formula = std::get_if<DispersionFormula>(&constants.n)) {
+    first_nm = formula->first_nm;
+    last_nm = formula->last_nm;
+    evaluate(*formula, lines_nm, n);
+  } else {
+    const Spectrum& table = std::get<Spectrum>(constants.n);
+    first_nm = table.first_nm();
+    last_nm = table.last_nm();
+    resample(table, Interpolation::linear, lines_nm, n);
+  }
+  if (first_nm > lines_nm[1] || last_nm < lines_nm[1] || !std::isfinite(n[1])) return;
+  out.n_d = n[1];
+  if (first_nm <= lines_nm[0] && last_nm >= lines_nm[2] && n[0] > n[2]) out.v_d = (n[1] - 1) / (n[0] - n[2]);
 }
 
 std::string percent(double share) {
@@ -114,7 +135,8 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
                                    : "a " + std::string(kind) + " is not seen through";
     return out;
   }
-  if (!std::holds_alternative<OpticalConstants>(dataset.optics)) {
+  const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
+  if (constants == nullptr) {
     out.reason = "the data are reflectance: what the body absorbs is not known";
     return out;
   }
@@ -127,6 +149,7 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
     return out;
   }
   out.clear = true;
+  take_index(*constants, out.body);
   std::string whose = "its k";
   if (!k) {
     // Over 1 m clear bodies differ visibly in their absorption.
@@ -153,9 +176,25 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
   const std::array<double, 3> xyz = passing(*k, depth);
   if (depth == depths_m.front() && xyz[1] > nearly_all) return out;
   const Xyz white = to_xyz(daylight().white());
-  out.depth_m = depth;
-  out.color = to_rgb(xyz_to_rgb(space, white, white) * xyz);
+  out.body.depth_m = depth;
+  out.body.color = to_rgb(xyz_to_rgb(space, white, white) * xyz);
   return out;
+}
+
+std::optional<ClearBody> clear_body(const Material& material, const Dataset& dataset, RgbSpace space) {
+  const Clarity found = clarity(material, dataset, space);
+  return found.clear ? std::optional(found.body) : std::nullopt;
+}
+
+std::string clear_body_text(const ClearBody& body) {
+  std::string out;
+  if (body.n_d) out = "n_d " + number(*body.n_d, 5);
+  if (body.v_d) out += ", V_d " + number(*body.v_d, 4);
+  if (!out.empty()) out += "; ";
+  if (body.depth_m == 0) return out + "no colour over 1 m is known";
+  const LinearRgb& c = body.color;
+  return out + "linear " + number(c.r, 4) + " " + number(c.g, 4) + " " + number(c.b, 4) + " through " +
+         number(body.depth_m, 3) + " m";
 }
 
 std::string black_body_remark(const Clarity& body) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/color/colorspace.h"
@@ -13,6 +14,21 @@ namespace etak {
 // no dataset says: whether a body of it is clear, how rough its surface is, and how a total reflectance
 // divides into body and surface.
 
+/// A body that light goes through.
+///   color     what D65 becomes over `depth_m` by exp(-4 pi k depth / wavelength), linear; white where
+///             depth_m is 0
+///   depth_m   the longest of 1 m, 0.1 m, 0.01 m and 0.001 m through which at least half of daylight passes;
+///             0 where no absorption is known or more than 0.999 passes 1 m
+///   n_d       n at helium's yellow line, 587.56 nm; none where the dataset's n does not reach it
+///   v_d       Abbe's number (n_d - 1) / (n_F - n_C), with hydrogen's lines 486.13 nm and 656.27 nm
+///             (ISO 7944); none where n does not reach them or does not fall from blue to red
+struct ClearBody {
+  LinearRgb color{1, 1, 1};
+  double depth_m = 0;
+  std::optional<double> n_d = {}, v_d = {};
+  friend bool operator==(const ClearBody&, const ClearBody&) = default;
+};
+
 /// Whether light goes through a body of a material.
 ///   clear     a dielectric through `clear_depth_m` of which at least half of daylight (Y under D65) passes
 ///             by its k; one whose dataset has no k over half of the visible weight. Its colour then is by
@@ -20,18 +36,21 @@ namespace etak {
 ///             absorb more than bodies). Conductors, semiconductors, `surface` data, dielectrics of which
 ///             only the reflectance is known, and bodies of which the material says why not (Material::bodies), are not.
 ///   reason    why it is or is not, for people
-///   color     what D65 becomes over `depth_m` by exp(-4 pi k depth / wavelength), linear; white where
-///             depth_m is 0
-///   depth_m   the longest of 1 m, 0.1 m, 0.01 m and 0.001 m through which at least half of daylight passes;
-///             0 where no absorption is known or more than 0.999 passes 1 m
+///   body      of a clear one
 struct Clarity {
   bool clear = false;
   std::string reason;
-  LinearRgb color{1, 1, 1};
-  double depth_m = 0;
+  ClearBody body;
 };
 inline constexpr double clear_depth_m = 1e-3;
 Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space = RgbSpace::srgb);
+
+/// The body of a material whose dataset says that it is clear.
+std::optional<ClearBody> clear_body(const Material& material, const Dataset& dataset,
+                                    RgbSpace space = RgbSpace::srgb);
+
+/// A clear body in one line: "n_d 1.4585, V_d 67.8; linear 0.999 1 0.998 through 1 m".
+std::string clear_body_text(const ClearBody& body);
 
 /// The remark about a dielectric's body that is not clear and has no diffuse colour.
 std::string black_body_remark(const Clarity& body);

@@ -31,7 +31,7 @@ Vec3 log_n_hint(const OpticalConstants& optics, std::string_view what) {
 }
 
 // Beer's law for each channel, from the depth for which the colour is known to the diameter of the ball.
-Vec3 passing_of(const Clarity& body) {
+Vec3 passing_of(const ClearBody& body) {
   constexpr double least = 1e-6;
   Vec3 out = vec(body.color);
   for (double& each : out)
@@ -113,7 +113,7 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
   }
   solve_index(out, hint);
   if (diffuse == Vec3{0, 0, 0})
-    if (const Clarity body = clarity(material, dataset); body.clear) out.passing = passing_of(body);
+    if (const Clarity body = clarity(material, dataset); body.clear) out.passing = passing_of(body.body);
   return out;
 }
 

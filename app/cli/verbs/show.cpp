@@ -37,7 +37,7 @@ std::vector<std::string> named_datasets(const std::vector<MaterialInput>& inputs
 // The record of the material, followed by the policy unless -q is given.
 std::string text_form(const MaterialReport& report, const std::vector<MaterialInput>& inputs,
                       const F0Options& options, const OutputArguments& output) {
-  const std::string out = record_text(report, named_datasets(inputs), use_color(output));
+  const std::string out = record_text(report, options, named_datasets(inputs), use_color(output));
   return output.quiet ? out : out + "\nF0: " + line_text(policy(options)) + '\n';
 }
 

@@ -24,11 +24,23 @@ void append_meanings(std::string& out, std::span<const F0Row> rows, std::size_t 
   });
 }
 
+// What is known of each clear body.
+void append_bodies(std::string& out, std::span<const F0Row> rows, std::size_t line_width) {
+  bool any = false;
+  for (const F0Row& row : rows) {
+    if (!row.clear) continue;
+    if (!any) out += '\n';
+    any = true;
+    out += wrapped(line_text(row.path) + ", a clear body: " + clear_body_text(*row.clear), 0, line_width);
+  }
+}
+
 }  // namespace
 
 std::string f0_legend(std::span<const F0Row> rows, const F0Options& options, std::size_t line_width) {
   std::string out;
   append_meanings(out, rows, line_width);
+  append_bodies(out, rows, line_width);
   if (!rows.empty()) out += '\n';
   return out + wrapped(policy(options), 0, line_width);
 }

@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/base/text/text.h"
 #include "core/color/srgb.h"
+#include "core/material/appearance.h"
 #include "core/material/json.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
@@ -58,7 +59,7 @@ std::string zone_text(const F0Result& result) {
 }
 
 void append_dataset(std::string& out, const Material& material, std::size_t index, const F0Result& result,
-                    bool color) {
+                    const F0Options& options, bool color) {
   const Dataset& dataset = material.datasets[index];
   const auto line = [&](std::string_view label, const std::string& text) {
     append_labelled(out, 4, 10, label, text);
@@ -76,6 +77,7 @@ void append_dataset(std::string& out, const Material& material, std::size_t inde
       line("F82", three_numbers(vec(*result.f82), 4) + "   tint " + three_numbers(vec(*result.f82_tint), 4));
     line("flags", flags_text(result));
   }
+  if (const auto body = clear_body(material, dataset, options.space)) line("clear", clear_body_text(*body));
   line("doubtful", doubt(material, dataset));
   line("sample", sample_line(dataset));
   line("data", data_line(dataset, result.coverage));
@@ -115,7 +117,8 @@ std::string nested(std::string text) {
 
 }  // namespace
 
-std::string record_text(const MaterialReport& report, std::span<const std::string> datasets, bool color) {
+std::string record_text(const MaterialReport& report, const F0Options& options,
+                        std::span<const std::string> datasets, bool color) {
   const Material& material = report.material;
   std::string out = line_text(material.name + " (" + material.id + "), " + material.material_class) + '\n';
   const auto line = [&](std::string_view label, const std::string& text) {
@@ -128,7 +131,7 @@ std::string record_text(const MaterialReport& report, std::span<const std::strin
   for (std::size_t i = 0; i < report.results.size(); ++i)
     if (datasets.empty() ||
         std::find(datasets.begin(), datasets.end(), material.datasets[i].id) != datasets.end())
-      append_dataset(out, material, i, report.results[i], color);
+      append_dataset(out, material, i, report.results[i], options, color);
   return out;
 }
 
@@ -144,7 +147,8 @@ std::string record_json(const MaterialReport& report, const F0Options& options) 
                     .source = one_line(dataset.citation),
                     .result = report.results[i],
                     .kind = std::string(name(dataset.origin)),
-                    .doubt = doubt(material, dataset)});
+                    .doubt = doubt(material, dataset),
+                    .clear = clear_body(material, dataset, options.space)});
   }
   const auto array = [](double a, double b, double c) {
     return "[" + number(a, 17) + ", " + number(b, 17) + ", " + number(c, 17) + "]";

@@ -60,7 +60,8 @@ std::string f0_jsonl(std::span<const F0Row> rows, const F0Options& options);
 /// One material as text for people: names, spread, and each dataset with its F0, sample, data and source.
 ///   datasets   ids of the datasets to list; empty: all
 ///   color      a swatch stands behind each F0, for terminals
-std::string record_text(const MaterialReport& report, std::span<const std::string> datasets, bool color);
+std::string record_text(const MaterialReport& report, const F0Options& options,
+                        std::span<const std::string> datasets, bool color);
 
 /// One material as JSON: {"schema": "etak-show/1", "material": {...}, "spread": {...}, "f0": {...}} with the
 /// content of a material file as "material" and that of f0_json() as "f0".

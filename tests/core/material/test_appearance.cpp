@@ -70,7 +70,7 @@ TEST_CASE("a body is clear where half of the light passes 1 mm") {
   CHECK(clarity(liquid(2.8e-5), liquid(2.8e-5).datasets[0]).clear);
   CHECK(!clarity(liquid(3.4e-5), liquid(3.4e-5).datasets[0]).clear);
   CHECK(clarity(liquid(std::nullopt), liquid(std::nullopt).datasets[0]).clear);
-  CHECK(clarity(liquid(std::nullopt), liquid(std::nullopt).datasets[0]).depth_m == 0);
+  CHECK(clarity(liquid(std::nullopt), liquid(std::nullopt).datasets[0]).body.depth_m == 0);
 }
 
 TEST_CASE("the colour of a body is what passes the longest of four depths that lets half pass") {
@@ -78,25 +78,25 @@ TEST_CASE("the colour of a body is what passes the longest of four depths that l
   for (const auto& [k, depth] : {std::pair{1e-8, 1.0}, {1e-7, 0.1}, {1e-6, 0.01}, {1e-5, 0.001}}) {
     const Material material = liquid(k);
     const Clarity body = clarity(material, material.datasets[0]);
-    CHECK(body.depth_m == depth);
+    CHECK(body.body.depth_m == depth);
     // Blue is absorbed most, as the wavelength is shorter.
-    CHECK(body.color.r > body.color.g);
-    CHECK(body.color.g > body.color.b);
-    CHECK(body.color.g == Approx(std::exp(-4 * 3.14159265 * 1e-8 / 548e-9)).margin(0.01));
+    CHECK(body.body.color.r > body.body.color.g);
+    CHECK(body.body.color.g > body.body.color.b);
+    CHECK(body.body.color.g == Approx(std::exp(-4 * 3.14159265 * 1e-8 / 548e-9)).margin(0.01));
   }
   const Material nothing = liquid(0);
-  CHECK(clarity(nothing, nothing.datasets[0]).depth_m == 0);
-  CHECK(clarity(nothing, nothing.datasets[0]).color == LinearRgb{1, 1, 1});
+  CHECK(clarity(nothing, nothing.datasets[0]).body.depth_m == 0);
+  CHECK(clarity(nothing, nothing.datasets[0]).body.color == LinearRgb{1, 1, 1});
 }
 
 TEST_CASE("a dataset without k takes the colour of the least absorbing other one, but not of a film") {
   const Clarity water = preferred("water");
-  CHECK(water.depth_m == 1);
+  CHECK(water.body.depth_m == 1);
   CHECK(contains(water.reason, "hale-1973"));
-  CHECK(water.color.b > water.color.r);  // water is blue over a metre
+  CHECK(water.body.color.b > water.body.color.r);  // water is blue over a metre
   const Clarity zincite = preferred("zincite");
   CHECK(zincite.clear);
-  CHECK(zincite.depth_m == 0);
+  CHECK(zincite.body.depth_m == 0);
 }
 
 TEST_CASE("every class has a roughness, and clear bodies are smooth") {
@@ -187,4 +187,24 @@ TEST_CASE("a saturated total keeps the assumed F0, and its dark channels have no
   const TotalReflectance black = divided({0.006, 0.007, 0.008});
   CHECK(black.lowered);
   CHECK(black.f0.r == Approx(0.007));
+}
+
+TEST_CASE(
+    "n_d and Abbe's number are those of the makers' tables, and none where n does not reach the lines") {
+  // Schott's data sheet of N-BK7: n_d 1.51680, V_d 64.17; Malitson 1965, table 1: fused silica 1.45846, 67.8.
+  const ClearBody bk7 = preferred("glass_bk7").body, silica = preferred("fused_silica").body;
+  CHECK(*bk7.n_d == Approx(1.51680).margin(1e-5));
+  CHECK(*bk7.v_d == Approx(64.17).margin(0.01));
+  CHECK(*silica.n_d == Approx(1.45846).margin(1e-5));
+  CHECK(*silica.v_d == Approx(67.8).margin(0.05));
+  // Diamond bends blue most of all gems: V_d near 55; water near 55.8.
+  CHECK(*preferred("diamond").body.v_d == Approx(55).margin(1));
+  Material material = liquid(0);
+  CHECK(*clarity(material, material.datasets[0]).body.n_d == 1.33);
+  CHECK(!clarity(material, material.datasets[0]).body.v_d);  // n that does not fall has no Abbe's number
+  std::get<OpticalConstants>(material.datasets[0].optics).n = Spectrum{{500, 830}, {1.34, 1.33}};
+  CHECK(clarity(material, material.datasets[0]).body.n_d);
+  CHECK(!clarity(material, material.datasets[0]).body.v_d);
+  std::get<OpticalConstants>(material.datasets[0].optics).n = Spectrum{{600, 830}, {1.34, 1.33}};
+  CHECK(!clarity(material, material.datasets[0]).body.n_d);
 }
