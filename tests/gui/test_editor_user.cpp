@@ -135,7 +135,7 @@ class UserSession : public QObject {
       QVERIFY(out.save(pictures.back()));
     }
     QVERIFY(drop(window->viewport(), pictures));
-    QVERIFY(window->document().material()->texture(Channel::gloss).has_value());
+    QTRY_VERIFY(window->document().material()->texture(Channel::gloss).has_value());
     const QString file = folder.filePath(QStringLiteral("wood.gltf"));
     choose_file(file);
     QVERIFY(click_menu(*window,
