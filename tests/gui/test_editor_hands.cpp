@@ -248,6 +248,84 @@ class EditorHands : public QObject {
     QVERIFY2(tried.size() >= 4, qPrintable(tried.join(QLatin1String(", "))));
   }
 
+  void no_field_moves_while_it_is_edited_and_none_of_the_first_with_the_material() {
+    TestWindow window(true);
+    show_active(window);
+    Inspector& inspector = window->inspector();
+    const auto height_of = [&](const QString& name) {
+      auto* field = named<FineSpinBox>(inspector, name);
+      return field == nullptr ? -1 : field->mapTo(inspector.widget(), QPoint()).y();
+    };
+    const auto settled = [&] {
+      QTest::qWait(50);
+      return window.settle();
+    };
+    const QString first = QStringLiteral("Specular, red, linear"), gloss = QStringLiteral("Gloss"),
+                  last = QStringLiteral("Occlusion");
+    std::vector<int> heights;
+    for (const char* id : {"gold", "chalk", "water", "plastic_red", "pmma"}) {
+      QVERIFY(window->use_library_material(QLatin1String(id)));
+      QVERIFY(settled());
+      heights.push_back(height_of(gloss));
+      QVERIFY2(heights.back() > 0 && heights.back() == heights.front(), id);
+      const int source = window->inspector().source().mapTo(inspector.widget(), QPoint()).y();
+      QVERIFY2(source > heights.back(), id);
+      // The convention's sentence goes while the gloss is pulled.
+      const int below = height_of(last);
+      auto* slider = named<FieldSlider>(inspector, QStringLiteral("Gloss, slider"));
+      QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(slider->width() / 3, slider->height() / 2));
+      QVERIFY(settled());
+      QCOMPARE(height_of(gloss), heights.front());
+      QCOMPARE(height_of(last), below);
+      QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(slider->width() / 3, slider->height() / 2));
+    }
+    // A typed F0 lets go of the measurement, whose texts go with it.
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    QVERIFY(settled());
+    auto* red = named<FineSpinBox>(inspector, first);
+    red->setFocus();
+    red->selectAll();
+    const int before = height_of(first);
+    QTest::keyClicks(red, QStringLiteral("0.5"));
+    QTest::keyClick(red, Qt::Key_Return);
+    QVERIFY(settled());
+    QVERIFY(!window->document().material()->measured);
+    QCOMPARE(height_of(first), before);
+    QCOMPARE(height_of(gloss), heights.front());
+    // Nothing of a measurement stands there then, and the button folds what stands there of one.
+    auto* outside = named<QComboBox>(inspector, QStringLiteral("Outside medium"));
+    QVERIFY(!outside->isVisible());
+    window->document().undo_stack().undo();
+    QVERIFY(outside->isVisible());
+    auto* fold =
+        named<QToolButton>(inspector, QStringLiteral("Show or hide what is to be said of the measurement"));
+    fold->click();
+    QVERIFY(!outside->isVisible() && named<QComboBox>(inspector, QStringLiteral("Dataset"))->isVisible());
+  }
+
+  void reset_of_gloss_and_roughness_goes_to_what_the_record_has() {
+    TestWindow window(true);
+    show_active(window);
+    for (const auto& [id, roughness] : {std::pair{"chalk", 0.9}, {"plastic_red", 0.3}, {"gold", 0.24976}}) {
+      QVERIFY(window->use_library_material(QLatin1String(id)));
+      const Gloss standard = window->document().material()->gloss;
+      QVERIFY2(std::abs(standard.roughness() - roughness) < 1e-5, id);
+      for (const char* name : {"Gloss", "Roughness"}) {
+        ProjectMaterial other = *window->document().material();
+        other.gloss = 0.4;
+        window->document().edit(window->document().current(), other, QStringLiteral("gloss"),
+                                next_press_id());
+        auto* reset = named<QToolButton>(window->inspector(), QStringLiteral("Reset ") + QLatin1String(name));
+        QVERIFY(reset != nullptr);
+        reset->click();
+        QVERIFY2(window->document().material()->gloss == standard, id);
+      }
+    }
+    emit window->project_panel().new_asked();
+    named<QToolButton>(window->inspector(), QStringLiteral("Reset Gloss"))->click();
+    QVERIFY(window->document().material()->gloss == ProjectMaterial{}.gloss);
+  }
+
   void letting_go_of_a_measurement_is_said_and_reset_goes_back_to_it() {
     TestWindow window(true);
     for (const auto& [id, field_name] : {std::pair{"gold", "Specular"}, {"brick", "Diffuse"}}) {

@@ -166,6 +166,12 @@ void ColorField::make_badge() {
   outside_->hide();
 }
 
+void ColorField::keep_place_of_badge() {
+  QSizePolicy policy = outside_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  outside_->setSizePolicy(policy);
+}
+
 void ColorField::show_color(const LinearRgb& color) {
   if (color == color_) return;
   color_ = color;

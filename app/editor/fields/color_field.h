@@ -30,6 +30,8 @@ class ColorField : public QWidget {
   /// After this call the reset button only emits reset_asked(), and the owner sets the colour. Otherwise the
   /// button sets the standard colour of the constructor.
   void leave_reset_to_owner() { own_reset_ = false; }
+  /// Leaves the place of the badge empty while it is hidden, so that the fields below do not move when it comes.
+  void keep_place_of_badge();
 
  signals:
   void edited(const etak::LinearRgb& color, int press_id);

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <cmath>
 
+#include "app/editor/document/files.h"
 #include "app/editor/panels/model_section.h"
 #include "app/editor/panels/source_section.h"
 #include "app/editor/panels/texture_section.h"
@@ -46,8 +47,12 @@ Inspector::Inspector(Document& document, QWidget* parent)
   empty_->setWordWrap(true);
   empty_->setAccessibleName(tr("No material"));
   name_->setAccessibleName(tr("Name of the material"));
-  for (QWidget* each : std::initializer_list<QWidget*>{empty_, name_, source_}) column().addWidget(each);
+  column().addWidget(empty_);
+  column().addWidget(name_);
   make_numbers();
+  // Its texts have another height for each material: what is edited most stands above them.
+  column().addWidget(source_);
+  make_rest();
   column().addWidget(model_);
   column().addWidget(textures_);
   column().addStretch(1);
@@ -95,8 +100,10 @@ void Inspector::make_numbers() {
                  if (measures_diffuse(m.measured, *document_.library())) m.measured.reset();
                  m.diffuse = color;
                }});
-  specular_->leave_reset_to_owner();
-  diffuse_->leave_reset_to_owner();
+  for (ColorField* each : {specular_, diffuse_}) {
+    each->leave_reset_to_owner();
+    each->keep_place_of_badge();
+  }
   connect(specular_, &ColorField::reset_asked, this,
           [this] { reset_color(*specular_, &ProjectMaterial::specular, tr("specular colour")); });
   connect(diffuse_, &ColorField::reset_asked, this,
@@ -111,10 +118,23 @@ void Inspector::make_numbers() {
       {0, 1, roughness_of_gloss(0.75)},
       Computed{[](const ProjectMaterial& m) { return m.gloss.roughness(); },
                [](ProjectMaterial& m, double roughness) { m.gloss = Gloss::of_roughness(roughness); }});
+  for (NumberField* each : {gloss_, roughness_}) {
+    each->leave_reset_to_owner();
+    const QString what = each == gloss_ ? tr("gloss") : tr("roughness");
+    connect(each, &NumberField::reset_asked, this, [this, what] { reset_gloss(what); });
+  }
   auto* lobe = quiet_label(tr("Gloss as exponent and alpha roughness"), numbers_);
   lobe->setToolTip(tr("Alpha roughness is the width of the lobe, \u03b1 = roughness\u00b2"));
   numbers_->add(lobe);
-  fields_.shows({}, {}, [lobe](const ProjectMaterial& m) { lobe->setText(lobe_text(m.gloss)); });
+  fields_.shows({}, {}, [lobe, last = std::string()](const ProjectMaterial& m) mutable {
+    set_steady_text(*lobe, lobe_text(m.gloss), last == m.name);
+    last = m.name;
+  });
+}
+
+void Inspector::make_rest() {
+  rest_ = &add_section(tr("Opacity, emission, occlusion"));
+  fields_.in(*rest_);
   alpha_ = fields_.number(
       {tr("Alpha opacity"), "",
        tr("How much of what lies behind is covered: 0 nothing, 1 all; only in the modes mask and blend"),
@@ -141,6 +161,19 @@ void Inspector::edit(const QString& what, int press, const std::function<void(Pr
   const ProjectMaterial before = *document_.material();
   document_.change_material(what, press, change);
   if (before.measured && !document_.material()->measured) emit told(let_go_text(before));
+}
+
+// The gloss of the record that the material has or had, which is a convention; that of a new material without one.
+Gloss Inspector::standard_gloss() const {
+  const ProjectMaterial* m = document_.material();
+  const std::optional<MeasuredF0> measured = m->measured ? m->measured : document_.let_go(m->name);
+  const auto record = measured ? document_.library()->find(measured->material) : std::nullopt;
+  return record ? material_of(*record).gloss : ProjectMaterial{}.gloss;
+}
+
+void Inspector::reset_gloss(const QString& what) {
+  if (document_.material() == nullptr) return;
+  edit(what, next_press_id(), [&](ProjectMaterial& m) { m.gloss = standard_gloss(); });
 }
 
 // Sets a colour that is or was measured to the measurement, and any other to the standard of the field.
@@ -174,7 +207,7 @@ void Inspector::show_material() {
   empty_->setVisible(m == nullptr);
   source_->setVisible(m != nullptr);
   // The fields of a preview cannot be edited.
-  for (QWidget* each : std::initializer_list<QWidget*>{name_, numbers_, model_, textures_}) {
+  for (QWidget* each : std::initializer_list<QWidget*>{name_, numbers_, rest_, model_, textures_}) {
     each->setVisible(m != nullptr);
     each->setEnabled(!preview_);
   }

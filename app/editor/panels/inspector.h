@@ -42,7 +42,10 @@ class Inspector : public PanelScroll {
  private:
   void show_material();
   void make_numbers();
+  void make_rest();
   void edit(const QString& what, int press, const std::function<void(ProjectMaterial&)>& change);
+  Gloss standard_gloss() const;
+  void reset_gloss(const QString& what);
   void reset_color(ColorField& field, LinearRgb ProjectMaterial::*member, const QString& what);
 
   Document& document_;
@@ -53,7 +56,7 @@ class Inspector : public PanelScroll {
   SourceSection* source_;
   ColorField *specular_ = nullptr, *diffuse_ = nullptr;
   NumberField *gloss_ = nullptr, *roughness_ = nullptr, *alpha_ = nullptr;
-  Section* numbers_ = nullptr;
+  Section *numbers_ = nullptr, *rest_ = nullptr;
   ModelSection* model_;
   TextureSection* textures_;
 };

@@ -47,8 +47,8 @@ ModelSection::ModelSection(Document& document, QWidget* parent)
   add_models(*diffuse_, [](const Model& each) { return each.kind == ModelKind::diffuse; });
   add(tr("Specular"), specular_, tr("The formula of the surface's reflection"));
   add(tr("Diffuse"), diffuse_, tr("The formula of the body's reflection"));
-  add(about_);
   add(sliders_);
+  add(about_);  // of another height for each model
   const auto take = [this](QuietComboBox* box, std::string ProjectMaterial::*member) {
     connect(box, &QComboBox::activated, this, [this, box, member] {
       document_.change_material(tr("shading model"), next_press_id(), [&](ProjectMaterial& m) {

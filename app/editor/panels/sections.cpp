@@ -122,4 +122,9 @@ QLabel* quiet_label(const QString& name, QWidget* parent) {
   return out;
 }
 
+void set_steady_text(QLabel& label, const QString& text, bool same) {
+  label.setMinimumHeight(same && label.isVisible() ? label.height() : 0);
+  label.setText(text);
+}
+
 }  // namespace etak::editor

@@ -68,4 +68,9 @@ QVBoxLayout* panel_column(QWidget* panel, int spacing);
 ///   name   accessible name of the label
 QLabel* quiet_label(const QString& name, QWidget* parent);
 
+/// Sets a text of several lines.
+///   same   it is of the same material as the one before: where it is shorter, the place of that stays empty, so that
+///          no field below it moves under the hand
+void set_steady_text(QLabel& label, const QString& text, bool same);
+
 }  // namespace etak::editor

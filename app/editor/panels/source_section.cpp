@@ -4,6 +4,7 @@
 #include <QCompleter>
 #include <QLineEdit>
 
+#include "app/editor/fields/add_button.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/data_sentences.h"
 #include "app/viewport/background.h"
@@ -86,9 +87,19 @@ SourceSection::SourceSection(Document& document, QWidget* parent)
     illuminant_->addItem(qt_text(name(each)));
   for (const Observer each : {Observer::cie1931_2deg, Observer::cie1964_10deg})
     observer_->addItem(qt_text(name(each)));
-  add(tr("Use"), material_,
-      tr("The record whose spectra give the colours; empty: the colours are typed numbers"));
-  add(tr("Dataset"), dataset_, tr("Which measurement of the record is used"));
+  auto* line = new QWidget(this);
+  auto* in_line = new QHBoxLayout(line);
+  in_line->setContentsMargins(0, 0, 0, 0);
+  in_line->setSpacing(4);
+  in_line->addWidget(material_, 1);
+  in_line->addWidget(dataset_, 1);
+  unfold_ = add_button(*in_line, tr("i"), tr("Show or hide what is to be said of the measurement"));
+  unfold_->setCheckable(true);
+  unfold_->setChecked(true);
+  connect(unfold_, &QToolButton::toggled, this, &SourceSection::show_rows);
+  line->setAccessibleName(tr("Record and dataset"));
+  add(tr("Use"), line, tr("The record whose spectra give the colours; empty: the colours are typed numbers"));
+  material_->setToolTip(line->toolTip());
   add(spread_);
   add(tr("Outside"), outside_, tr("A transparent material of the library, or an index such as 1.33"));
   add(tr("Illum."), illuminant_, tr("The light under which the spectrum becomes a colour"));
@@ -137,23 +148,36 @@ void SourceSection::show_material(const ProjectMaterial* m, bool editable) {
   observer_->setCurrentText(qt_text(name(measured.viewing.observer)));
   material_->setEnabled(editable);
   for (QuietComboBox* each : {dataset_, outside_, illuminant_, observer_}) each->setEnabled(on && editable);
-  for (QLabel* each : {result_, spread_, citation_}) each->setVisible(on);
-  body_->setVisible(on && !body_->text().isEmpty());
+  dataset_->setToolTip(on ? tr("Which measurement of the record is used: %1").arg(dataset_->currentText())
+                          : tr("Which measurement of the record is used"));
   showing_ = false;
   shown_ = m != nullptr ? m->measured : std::nullopt;
+  show_rows();
   if (on) tell(*m);
+}
+
+// Rows without a measurement to tell of are not there.
+void SourceSection::show_rows() {
+  const bool on = shown_.has_value() && unfold_->isChecked();
+  unfold_->setEnabled(shown_.has_value());
+  for (QWidget* each :
+       std::initializer_list<QWidget*>{spread_, outside_, illuminant_, observer_, result_, citation_})
+    rows().setRowVisible(each, on);
+  rows().setRowVisible(body_, on && (!body_->text().isEmpty() || body_->minimumHeight() > 0));
 }
 
 void SourceSection::tell(const ProjectMaterial& material) {
   in_background(
       pool_, this, [material, library = document_.library()] { return source_text(material, *library); },
-      [this, measured = material.measured](const SourceText& what) {
+      [this, name = material.name, measured = material.measured](const SourceText& what) {
         if (shown_ != measured) return;  // the texts are about an older measurement
-        result_->setText(what.result);
-        body_->setText(what.body);
-        body_->setVisible(!what.body.isEmpty());
+        const bool same = told_ == std::pair(name, *measured);
+        told_ = {name, *measured};
+        set_steady_text(*result_, what.result, same);
+        set_steady_text(*body_, what.body, same);
         spread_->setText(what.spread);
-        citation_->setText(what.citation);
+        set_steady_text(*citation_, what.citation, same);
+        show_rows();
       });
 }
 
@@ -185,7 +209,7 @@ void SourceSection::take() {
     const QString failure = failure_of([&] { next = with_measured(next, *document_.library()); });
     if (!failure.isEmpty()) {
       show_material(now, true);
-      result_->setVisible(true);
+      rows().setRowVisible(result_, true);
       return result_->setText(failure);
     }
   }

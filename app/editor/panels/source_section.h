@@ -5,13 +5,15 @@
 #include "app/editor/panels/sections.h"
 #include "app/viewport/background.h"
 
+class QToolButton;
+
 namespace etak::editor {
 
 /// The message that `m`, which has a measurement, is no longer measured.
 QString let_go_text(const ProjectMaterial& m);
 
-/// The section "Measured F0": record, dataset with the spread of all datasets, outside medium, illuminant,
-/// observer.
+/// The section "Measured F0": record and dataset in one line, and behind its button (i) the spread of all datasets,
+/// outside medium, illuminant, observer and what is to be said of the data.
 class SourceSection : public Section {
   Q_OBJECT
 
@@ -29,15 +31,18 @@ class SourceSection : public Section {
 
  private:
   void take();
+  void show_rows();
   void tell(const ProjectMaterial& material);
   void fill_datasets(const std::string& material);
 
   Document& document_;
   QuietComboBox *material_, *dataset_, *outside_, *illuminant_, *observer_;
   QLabel *result_, *body_, *spread_, *citation_;
+  QToolButton* unfold_ = nullptr;
   Worker pool_;
   std::string datasets_of_;
   std::optional<MeasuredF0> shown_;
+  std::pair<std::string, MeasuredF0> told_;  // name and measurement of the material that the notes are of
   bool showing_ = false;
 };
 
