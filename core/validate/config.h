@@ -27,6 +27,7 @@ struct RolePattern {
 struct ValidateConfig {
   Settings settings;
   std::vector<RolePattern> roles;    // in the order of the file; they are tried before all endings
+  std::vector<std::string> sets;     // [sets]: patterns with {set} and {role}, tried after [roles]
   std::vector<OwnName> names;        // [names]: endings that are tried before the built-in ones
   std::string file;                  // that was read; empty: none
   std::string root;                  // absolute path of the file's folder, which labels are relative to

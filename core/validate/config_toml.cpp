@@ -130,6 +130,20 @@ void read_alpha(const Node& node, ValidateConfig& config) {
   config.settings.alpha_is_transparency = text == "transparency";
 }
 
+// Calls `add` with the pattern that a node is, or with each of a list.
+void each_pattern(const Node& patterns, std::string_view example, auto add) {
+  const std::string expected = "a pattern such as \"" + std::string(example) + '"';
+  const auto take = [&](const toml::node& pattern) {
+    const std::string text = Node{pattern, patterns.file, patterns.name}.text(expected);
+    if (text.empty()) patterns.fail("an empty pattern", expected);
+    add(text);
+  };
+  if (const auto* list = patterns.value.as_array())
+    for (const toml::node& pattern : *list) take(pattern);
+  else
+    take(patterns.value);
+}
+
 // ---- [roles]
 
 void read_roles(const Node& node, ValidateConfig& config) {
@@ -140,17 +154,29 @@ void read_roles(const Node& node, ValidateConfig& config) {
     if (!role)
       throw Error::at_line(node.file, key.source().begin.line, "[roles] unknown role " + in_quotes(key.str()),
                            "one of diffuse, specular, f0, base-color, metal-rough");
-    const Node patterns{value, node.file, "[roles] " + role_name};
-    const auto add = [&](const toml::node& pattern) {
-      const std::string text = Node{pattern, node.file, patterns.name}.text("a pattern such as \"*_spec.*\"");
-      if (text.empty()) patterns.fail("an empty pattern", "a pattern such as \"*_spec.*\"");
+    each_pattern({value, node.file, "[roles] " + role_name}, "*_spec.*", [&](const std::string& text) {
       config.roles.push_back({*role, text});
-    };
-    if (const auto* list = value.as_array())
-      for (const toml::node& pattern : *list) add(pattern);
-    else
-      add(value);
+    });
   }
+}
+
+// ---- [sets]
+
+constexpr std::string_view set_example = "{set}/maps/{role}_*";
+constexpr Key set_keys[] = {
+    {"pattern", [](const Node& n, ValidateConfig& c) {
+       each_pattern(n, set_example, [&](const std::string& text) {
+         const std::string_view defect = defect_of_set_pattern(text);
+         if (!defect.empty())
+           n.fail(std::string(defect) + " in " + in_quotes(text),
+                  "{set} and {role} once each, with other text between them and *, such as \"" +
+                      std::string(set_example) + '"');
+         c.sets.push_back(text);
+       });
+     }}};
+
+void read_sets(const Node& node, ValidateConfig& config) {
+  read_keys(table_of(node), node.file, "[sets] ", set_keys, config);
 }
 
 // ---- [names]
@@ -351,7 +377,8 @@ void read_allow(const Node& node, ValidateConfig& config) {
 
 constexpr Key top_keys[] = {{"profile", read_profile}, {"transfer", read_transfer}, {"fail_on", read_fail_on},
                             {"alpha", read_alpha},     {"roles", read_roles},       {"rules", read_rules},
-                            {"zone", read_zone},       {"allow", read_allow},       {"names", read_names}};
+                            {"zone", read_zone},       {"allow", read_allow},       {"names", read_names},
+                            {"sets", read_sets}};
 
 toml::table document_of(std::string_view text, std::string_view file) {
   try {

@@ -46,6 +46,17 @@ std::optional<NamedPicture> PictureNamer::named(const std::string& path) {
       return out;
     }
   }
+  if (!config_.sets.empty()) {
+    const std::string relative = label(path);
+    for (const std::string& pattern : config_.sets) {
+      std::size_t from = 0;
+      auto by_pattern = reader_.read_by_pattern(pattern, relative, from);
+      if (!by_pattern) continue;
+      out.name = std::move(*by_pattern);
+      out.key = lower_case(relative.substr(0, from) + out.name.set);
+      return out;
+    }
+  }
   auto parsed = reader_.read(name);
   // "basecolor/wall.png", and "normal/wall_normal.png" whose folder says the same: the set lies in the folder around.
   const std::string_view around = folder_of(folder.substr(0, folder.size() - !folder.empty()));

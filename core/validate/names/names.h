@@ -63,6 +63,10 @@ struct OwnName {
   friend bool operator==(const OwnName&, const OwnName&) = default;
 };
 
+/// What is wrong with a pattern of [sets], in a few words; empty: nothing is. A pattern has {set} and {role} once
+/// each, at most two `*`, and other text between these: "{set}/maps/{role}_*".
+std::string_view defect_of_set_pattern(std::string_view pattern);
+
 /// An ending as it is compared: in lower case, '_' for each separator, none in front.
 std::string normal_ending(std::string_view ending);
 
@@ -97,6 +101,11 @@ class NameReader {
   std::optional<ParsedName> read(std::string_view file_name) const;
   /// Of a file in a folder whose name is the word ("basecolor/wall.png"); nullopt: the folder's name is none.
   std::optional<ParsedName> read_in_folder(std::string_view folder, std::string_view file_name) const;
+  /// By a pattern of [sets] without a defect, which is held against the end of the path, without the format:
+  /// {role} is a word of [names] or of the conventions, {set} and `*` any text without a '/'.
+  ///   matched_from   where in the path the pattern begins
+  std::optional<ParsedName> read_by_pattern(std::string_view pattern, std::string_view path,
+                                            std::size_t& matched_from) const;
 
  private:
   /// A word that is known: an own ending, or the rows that have it.
@@ -106,6 +115,8 @@ class NameReader {
     explicit operator bool() const { return own != nullptr || rows != nullptr; }
   };
   Word word(std::string_view text) const;
+  /// What a word means that stands where a person said that the role stands: sure, without a set.
+  std::optional<ParsedName> of_word(std::string_view text) const;
   Word take_word(std::vector<NamePart>& parts, NameMarks& marks) const;
   Word take_capital_word(std::vector<NamePart>& parts, NameMarks& marks) const;
   Word take_last_word(std::vector<NamePart>& parts, ParsedName& to, NameMarks& marks) const;

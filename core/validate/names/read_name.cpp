@@ -328,6 +328,16 @@ void NameReader::say(const Word& word, const NameMarks& marks, ParsedName& to) {
   to.sure = is_sure;
 }
 
+std::optional<ParsedName> NameReader::of_word(std::string_view text) const {
+  const Word found = word(text);
+  if (!found) return std::nullopt;
+  ParsedName out;
+  say(found, NameMarks{}, out);
+  out.convention = Convention::own;
+  out.sure = true;
+  return out;
+}
+
 std::optional<ParsedName> NameReader::read(std::string_view file_name) const {
   ParsedName out;
   const std::string_view stem = without_copy_number(file_name.substr(0, file_name.rfind('.')), out);

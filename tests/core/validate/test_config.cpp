@@ -31,6 +31,26 @@ TEST_CASE("letters of any alphabet outside of strings are refused, and in string
   }
 }
 
+TEST_CASE("a pattern of sets says where set and role stand, or is refused with what is wrong with it") {
+  CHECK(parse_config("[sets]\npattern = \"{set}~{role}\"", "etak.toml").sets ==
+        std::vector<std::string>{"{set}~{role}"});
+  CHECK(parse_config("[sets]\npattern = [\"{role}/{set}\", \"{set}-*-{role}\"]", "etak.toml").sets.size() ==
+        2);
+  for (const auto& [pattern, complaint] : {std::pair{"{role}_x", "{set} not once"},
+                                           {"{set}_{set}_{role}", "{set} not once"},
+                                           {"{set}_x", "{role} not once"},
+                                           {"{set}{role}", "nothing between"},
+                                           {"{set}*_{role}", "nothing between"},
+                                           {"*_*_*_{set}_{role}", "more than two"},
+                                           {"", "empty pattern"}}) {
+    INFO(pattern);
+    const std::string text = problem("[sets]\npattern = \"" + std::string(pattern) + "\"");
+    CHECK(text.starts_with("etak.toml:2: [sets] pattern"));
+    CHECK(contains(text, complaint));
+  }
+  CHECK(contains(problem("[sets]\npatern = \"{set}_{role}\""), "unknown key"));
+}
+
 TEST_CASE("the configuration of the documentation is read whole") {
   const ValidateConfig config = parse_config(R"toml(
 profile  = "default"

@@ -377,4 +377,34 @@ TEST_CASE("own endings come before the built-in ones") {
   CHECK(with_own.read("wall_rough.png")->convention == Convention::common);
 }
 
+TEST_CASE("a pattern of sets finds set and role wherever they stand, and the longest word for the role") {
+  struct Row {
+    const char *pattern, *path, *set;
+    FileRole role;
+    std::size_t from;
+  };
+  for (const Row& row : {Row{"{set}_{role}_v*", "a/old_wall_base_color_v03.png", "old_wall", base_color, 2},
+                         {"{role}~{set}", "roughness~wall.tga", "wall", roughness, 0},
+                         {"{role}/{set}", "kit/base_color/wall_a.png", "wall_a", base_color, 4},
+                         {"{set}/maps/{role}_*", "x/y/wall/maps/normal_2k.png", "wall", normal, 4},
+                         {"{set}.{role}.*", "wall.metallic.png", "wall", metallic, 0}}) {
+    INFO(row.pattern << " on " << row.path);
+    std::size_t from = 99;
+    const auto found = reader().read_by_pattern(row.pattern, row.path, from);
+    REQUIRE(found);
+    CHECK(found->set == row.set);
+    CHECK(found->role == row.role);
+    CHECK(from == row.from);
+    CHECK(found->sure);
+  }
+  std::size_t from = 0;
+  for (const auto& [pattern, path] : {std::pair{"{set}_{role}", "wall_unknown.png"},
+                                      {"{set}/{role}", "roughness.png"},
+                                      {"{set}_{role}", "_roughness.png"},
+                                      {"{set}_{role}", "wall_rough/x.png"}}) {
+    INFO(pattern << " on " << path);
+    CHECK(!reader().read_by_pattern(pattern, path, from));
+  }
+}
+
 }  // namespace picture_names
