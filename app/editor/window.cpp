@@ -137,6 +137,9 @@ void Window::make_panels() {
   patch_ = new QLabel(this);
   patch_->setAccessibleName(tr("Under the cursor"));
   statusBar()->setAccessibleName(tr("Status"));
+  pictures_ = new QLabel(this);
+  pictures_->setAccessibleName(tr("Work on pictures"));
+  statusBar()->addPermanentWidget(pictures_);
   statusBar()->addPermanentWidget(work_);
   statusBar()->addPermanentWidget(patch_);
   statusBar()->addPermanentWidget(backend_);

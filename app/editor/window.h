@@ -209,7 +209,7 @@ class Window : public QMainWindow {
   CurvesPanel* curves_ = nullptr;
   QPlainTextEdit* shader_ = nullptr;
   QTabWidget *tabs_ = nullptr, *inspector_tabs_ = nullptr;
-  QLabel *backend_ = nullptr, *patch_ = nullptr, *work_ = nullptr;
+  QLabel *backend_ = nullptr, *patch_ = nullptr, *work_ = nullptr, *pictures_ = nullptr;
   PreviewBar* preview_bar_ = nullptr;
   QString previewed_;  // id of the library material in the preview
   QAction *undo_ = nullptr, *redo_ = nullptr, *end_preview_ = nullptr;

@@ -81,6 +81,8 @@ void Window::connect_viewport() {
   connect(&document_, &Document::replaced, this, &Window::drop_old_patch);
   connect(&document_, &Document::current_changed, view_panel_, &ViewPanel::show_look);
   connect(texture_view_, &TextureView::textures_changed, this, soon);
+  connect(texture_view_, &TextureView::reading, this,
+          [this](const QString& what) { pictures_->setText(what); });
   connect(view_panel_, &ViewPanel::look_changed, this, soon);
   connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
     if (document_.material() == nullptr) return;
@@ -159,7 +161,9 @@ void Window::refresh() {
   if (environment_coming_ && !environment_ &&
       find_studio(document_.project().view.lights.environment) != nullptr)
     return;
-  viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()));
+  // A textured material is not drawn without its textures: the last picture stays until they are read.
+  if (!texture_view_->is_waiting() || !look_.textured || look_.preview)
+    viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()));
   show_curves();
 }
 

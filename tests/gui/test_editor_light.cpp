@@ -180,6 +180,56 @@ class EditorLight : public QObject {
     QVERIFY(finds(window, "ETK001"));
   }
 
+  void a_textured_material_is_never_drawn_without_its_textures_and_read_once() {
+    TestWindow window(true);
+    show_active(window);
+    std::vector<std::string> names;
+    std::vector<QString> files;
+    for (const char* name : {"wood_diffuse.png", "stone_diffuse.png"}) {
+      files.push_back(picture_of_tiles(window, QLatin1String(name), 64));
+      QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+      QVERIFY(window.settle(long_ms));
+      // What is drawn of the dropped set is the old frame, then the textures.
+      const auto bare = [&] { return window->viewport().state().a.textures == nullptr; };
+      QVERIFY(bare());
+      auto* work = named<QLabel>(*window.window, QStringLiteral("Work on pictures"));
+      put_texture(window, Channel::diffuse, files.back());
+      QCOMPARE(work->text(), QString::fromUtf8("reading 1 picture\u2026"));
+      QVERIFY(QTest::qWaitFor([&] { return !bare(); }, long_ms));
+      QVERIFY(work->text().isEmpty());
+      names.push_back(window->document().material()->name);
+    }
+    QVERIFY(names[0] != names[1]);
+    QVERIFY(window.settle(long_ms));
+    // Every frame from now on has the textures of the material that it names.
+    std::map<std::string, std::shared_ptr<const SurfaceTextures>> seen;
+    int frames = 0;
+    QStringList wrong;
+    connect(&window->viewport(), &Viewport::frame_drawn, &window->viewport(), [&] {
+      const ViewSide& side = window->viewport().state().a;
+      const std::string name = side.label.substr(0, side.label.find(','));
+      ++frames;
+      if (!side.textures) wrong << QString::fromStdString(side.label) + QStringLiteral(" without textures");
+      auto& known = seen[name];
+      if (known && known != side.textures)
+        wrong << QString::fromStdString(side.label) + QStringLiteral(" read anew");
+      known = side.textures;
+    });
+    for (int visit = 0; visit < 6; ++visit) {
+      const int before = frames;
+      QTest::keyClick(window.window.get(), Qt::Key_Right);
+      QVERIFY(QTest::qWaitFor([&] { return frames > before && !window->texture_view().is_busy(); }, long_ms));
+      QVERIFY(window.settle(long_ms));
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1String("; "))));
+    QCOMPARE(seen.size(), std::size_t{2});
+    QVERIFY(seen[names[0]] != seen[names[1]]);
+    // Pictures that cannot be read hold no frame back.
+    put_texture(window, Channel::diffuse, window.file(QStringLiteral("gone.png")));
+    QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().a.textures == nullptr; }, long_ms));
+    QVERIFY(!window->texture_view().is_waiting());
+  }
+
   void a_large_environment_is_shown_soon_and_sharper_later_with_a_sign_of_work() {
     TestWindow window(true);
     window->show();

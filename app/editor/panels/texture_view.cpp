@@ -5,7 +5,9 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
+#include <list>
 #include <optional>
 
 #include "app/editor/panels/sections.h"
@@ -33,22 +35,25 @@ struct Loaded {
 
 }  // namespace
 
-// The pictures of the files, kept as long as the files and the way in which they are used stay the same. Only the
-// worker's thread looks into it.
+// The pictures of the files of a material, kept as long as the files and the way in which they are used stay the same.
 struct TextureView::FilesRead {
-  std::optional<PicturesKey> key;
-  Pictures pictures;
-  QSize shown_size;  // of the pictures
-  std::shared_ptr<const SurfaceTextures> textures;
-  QString size;
+  PicturesKey key;
+  Pictures pictures = {};
+  QSize shown_size = {};  // of the pictures
+  std::shared_ptr<const SurfaceTextures> textures = {};
+  QString size = {};
+};
+
+// Those of the materials that were looked at last, the last one first. Only the worker's thread looks into it.
+struct TextureView::PicturesKept {
+  static constexpr std::size_t most = 8;  // of 32 MB at the most
+  std::list<FilesRead> read;
 };
 
 namespace {
 
 template <class Read>
 void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& read) {
-  read.textures.reset();
-  read.shown_size = {};
   const MaterialPair pair = pictures_of(m, library, picture_door(), most_texels);
   const auto textures =
       std::make_shared<const SurfaceTextures>(surface_textures(m, pair, picture_door(), most_side));
@@ -77,16 +82,24 @@ QColor packed_color(const ProjectMaterial& m, const MaterialPair& numbers, Chann
   return is_color(channel) ? QColor(texel[0], texel[1], texel[2]) : QColor(texel[3], texel[3], texel[3]);
 }
 
-// The textures of the material as it is now, from the files where those have changed.
-template <class Read>
-Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Read& read) {
+// The textures of the material as it is now, from the files where those were not read or have changed.
+template <class Kept>
+Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Kept& kept) {
   Loaded out;
   const auto work = [&] {
     PicturesKey key(m);
-    if (!read.textures || key != read.key) {
-      read_files(m, library, read);
-      read.key = std::move(key);
+    auto& all = kept.read;
+    const auto known = std::ranges::find_if(all, [&](const auto& each) { return each.key == key; });
+    if (known != all.end()) {
+      all.splice(all.begin(), all, known);
+    } else {
+      std::remove_reference_t<decltype(all)> fresh;
+      fresh.push_back({std::move(key)});
+      read_files(m, library, fresh.front());
+      all.splice(all.begin(), fresh);
+      if (all.size() > Kept::most) all.pop_back();
     }
+    const auto& read = all.front();
     out.textures = read.textures;
     out.text = read.size;
     out.pictures = read.pictures;
@@ -174,8 +187,11 @@ TextureView::TextureView(Document& document, QWidget* parent)
   column->addLayout(row);
   column->addWidget(sheet_, 1);
   connect(channel_, &QComboBox::currentIndexChanged, this, &TextureView::show_picture);
-  connect(&document, &Document::current_changed, this, &TextureView::take_current);
-  connect(&document, &Document::replaced, this, &TextureView::load);
+  connect(&document, &Document::current_changed, this, &TextureView::load);
+  connect(&document, &Document::replaced, this, [this] {
+    kept_.reset();
+    load();
+  });
   connect(&document, &Document::material_changed, this, &TextureView::load);
   load();
 }
@@ -188,26 +204,29 @@ void TextureView::show_channel(Channel channel) {
   channel_->setCurrentIndex(static_cast<int>(channel));
 }
 
-// The pictures of the material before are not shown with the numbers of this one.
-void TextureView::take_current() {
-  const ProjectMaterial* m = document_.material();
-  if (textures_ && loaded_ && (m == nullptr || m->textures != loaded_->textures)) {
-    textures_.reset();
-    pictures_ = {};
-    summary_->clear();
-    show_picture();
-    emit textures_changed();
-  }
-  load();
+// The pictures of the material before are not shown with the numbers of this one. The viewport keeps its frame until
+// those of this one are there.
+void TextureView::wait_for(const ProjectMaterial& material) {
+  waiting_ = true;
+  textures_.reset();
+  pictures_ = {};
+  const auto count =
+      std::ranges::count_if(material.textures, [](const auto& each) { return each.has_value(); });
+  const QString what =
+      count == 1 ? tr("reading 1 picture\u2026") : tr("reading %1 pictures\u2026").arg(count);
+  summary_->setText(what);
+  show_picture();
+  emit reading(what);
 }
 
 void TextureView::load() {
   const ProjectMaterial* m = document_.material();
   if (m == nullptr || !has_textures(*m)) {
-    const bool had = textures_ != nullptr;
+    const bool had = textures_ != nullptr || waiting_;
+    if (waiting_) emit reading({});
     loaded_.reset();
-    read_.reset();
-    reading_ = false;
+    shown_files_ = {};
+    reading_ = waiting_ = false;
     textures_.reset();
     pictures_ = {};
     summary_->setText(tr("no textures: drop pictures on the viewport or on the channels in the inspector"));
@@ -223,18 +242,21 @@ void TextureView::load() {
   key.parameters.clear();
   if (loaded_ == key) return;
   loaded_ = key;
-  if (!read_) read_ = std::make_shared<FilesRead>();
+  if (!kept_) kept_ = std::make_shared<PicturesKept>();
   pool_.clear();
   reading_ = true;
+  if (m->textures != shown_files_) wait_for(*m);
   in_background(
       pool_, this,
-      [m = *m, library = document_.library(), read = read_] { return loaded_from(m, *library, *read); },
+      [m = *m, library = document_.library(), kept = kept_] { return loaded_from(m, *library, *kept); },
       [this, key](Loaded loaded) {
         if (loaded_ != key) return;
-        reading_ = false;
+        const bool other = loaded.textures != textures_ || waiting_;
+        if (waiting_) emit reading({});
+        reading_ = waiting_ = false;
+        shown_files_ = key.textures;
         pictures_ = std::move(loaded.pictures);
         shown_size_ = loaded.shown_size;
-        const bool other = loaded.textures != textures_;
         textures_ = std::move(loaded.textures);
         summary_->setText(loaded.text);
         show_picture();

@@ -25,17 +25,22 @@ class TextureView : public QWidget {
   /// read.
   const std::shared_ptr<const SurfaceTextures>& textures() const { return textures_; }
   bool is_busy() const { return reading_; }
+  /// Whether the pictures of the current material are still read, so that textures() are of none.
+  bool is_waiting() const { return waiting_; }
   /// The text about the pictures: their size, or why there are none.
   QString summary() const;
 
  signals:
   void textures_changed();
+  /// What is read now, for people; empty: nothing any more.
+  void reading(const QString& what);
 
  private:
   class Sheet;
   struct FilesRead;
-  void take_current();
+  struct PicturesKept;
   void load();
+  void wait_for(const ProjectMaterial& material);
   void show_picture();
 
   Document& document_;
@@ -44,8 +49,9 @@ class TextureView : public QWidget {
   Sheet* sheet_;
   Worker pool_;
   std::optional<ProjectMaterial> loaded_;
-  std::shared_ptr<FilesRead> read_;
-  bool reading_ = false;
+  decltype(ProjectMaterial::textures) shown_files_;  // whose pictures are shown, or could not be read
+  std::shared_ptr<PicturesKept> kept_;
+  bool reading_ = false, waiting_ = false;
   std::array<QImage, all_channels.size()> pictures_;  // one texel for channels that have none
   QSize shown_size_;                                  // in which they are shown
   std::shared_ptr<const SurfaceTextures> textures_;
