@@ -23,6 +23,10 @@ double unrounded_code(double linear) {
   return 255 * srgb_encode(std::clamp(linear, 0.0, 1.0));
 }
 
+double largest_channel(const Vec3& v) {
+  return std::max({v[0], v[1], v[2]});
+}
+
 // A picture as a sampler magnifies it: colours in linear light, other channels as fractions.
 class Magnified {
  public:
@@ -32,45 +36,57 @@ class Magnified {
 
   ///   u, v   in periods of the picture
   std::array<double, 4> at(double u, double v) const {
-    const double x = u * image_.width - 0.5, y = v * image_.height - 0.5;
-    const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
-    const double right_share = x - left, low_share = y - top;
+    const double x = u * image_.width, y = v * image_.height;
+    if (sampler_.nearest) return texel(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
+    const int left = static_cast<int>(std::floor(x - 0.5)), top = static_cast<int>(std::floor(y - 0.5));
+    const double right_share = x - 0.5 - left, low_share = y - 0.5 - top;
     std::array<double, 4> out{};
     for (int k = 0; k < 4; ++k) {
       const double share =
           (k % 2 == 0 ? 1 - right_share : right_share) * (k / 2 == 0 ? 1 - low_share : low_share);
-      const auto channels = static_cast<std::size_t>(image_.channels);
-      const auto texel = four_channels(image_
-                                           .at(wrapped_texel(left + k % 2, image_.width, sampler_.wrap_u),
-                                               wrapped_texel(top + k / 2, image_.height, sampler_.wrap_v))
-                                           .data(),
-                                       channels, std::uint8_t{255});
-      for (std::size_t c = 0; c < 4; ++c)
-        out[c] += share * (color_ && c < 3 ? double{linear_tables().srgb[texel[c]]} : texel[c] / 255.0);
+      const std::array<double, 4> corner = texel(left + k % 2, top + k / 2);
+      for (std::size_t c = 0; c < 4; ++c) out[c] += share * corner[c];
     }
     return out;
   }
 
  private:
+  std::array<double, 4> texel(int x, int y) const {
+    const auto codes = four_channels(image_
+                                         .at(wrapped_texel(x, image_.width, sampler_.wrap_u),
+                                             wrapped_texel(y, image_.height, sampler_.wrap_v))
+                                         .data(),
+                                     static_cast<std::size_t>(image_.channels), std::uint8_t{255});
+    std::array<double, 4> out{};
+    for (std::size_t c = 0; c < 4; ++c)
+      out[c] = color_ && c < 3 ? double{linear_tables().srgb[codes[c]]} : codes[c] / 255.0;
+    return out;
+  }
+
   const Image8& image_;
   const GltfSampler& sampler_;
   bool color_;
 };
 
-// Diffuse, F0 and gloss, as codes.
-using Look = std::array<double, 7>;
+// Diffuse, F0 and gloss, and what is left of diffuse light behind F0, as codes.
+using Look = std::array<double, 10>;
+constexpr std::size_t without_light = 7;
 
-Look look_of(const DiffuseSpecular& texel, double gloss) {
+///   reduced_by   F0 that is taken from diffuse light
+Look look_of(const DiffuseSpecular& texel, double gloss, double reduced_by) {
   Look out;
   for (std::size_t c = 0; c < 3; ++c)
     out[c] = unrounded_code(texel.diffuse[c]), out[3 + c] = unrounded_code(texel.f0[c]);
   out[6] = 255 * std::clamp(gloss, 0.0, 1.0);
+  for (std::size_t c = 0; c < 3; ++c)
+    out[without_light + c] = unrounded_code(texel.diffuse[c] * (1 - reduced_by));
   return out;
 }
 
-double largest_difference(const Look& a, const Look& b) {
+///   count   of the values that are looked at
+double largest_difference(const Look& a, const Look& b, std::size_t count) {
   double out = 0;
-  for (std::size_t c = 0; c < a.size(); ++c) out = std::max(out, std::abs(a[c] - b[c]));
+  for (std::size_t c = 0; c < count; ++c) out = std::max(out, std::abs(a[c] - b[c]));
   return out;
 }
 
@@ -99,12 +115,18 @@ struct Sources {
     if (m.specular_glossiness) {
       for (std::size_t c = 0; c < 3; ++c)
         ds.diffuse[c] = a[c] * m.diffuse[c], ds.f0[c] = b[c] * m.specular_f0[c];
-      return look_of(ds, converted_gloss(b[3] * m.glossiness, GlossForm::one_minus_roughness, gloss));
+      return look_of(ds, converted_gloss(b[3] * m.glossiness, GlossForm::one_minus_roughness, gloss),
+                     largest_channel(ds.f0));
     }
-    ds = diffuse_specular(
-        {a[0] * m.base_color[0], a[1] * m.base_color[1], a[2] * m.base_color[2]}, b[2] * m.metallic,
-        dielectric_f0(m.ior, m.specular, {m.specular_color[0], m.specular_color[1], m.specular_color[2]}));
-    return look_of(ds, converted_gloss(b[1] * m.roughness, GlossForm::roughness, gloss));
+    const auto tint = found(m.specular_color_texture, true, u, v);
+    const double strength = found(m.specular_texture, false, u, v)[3];
+    const Vec3 dielectric = dielectric_f0(
+        m.ior, m.specular * strength,
+        {m.specular_color[0] * tint[0], m.specular_color[1] * tint[1], m.specular_color[2] * tint[2]});
+    ds = diffuse_specular({a[0] * m.base_color[0], a[1] * m.base_color[1], a[2] * m.base_color[2]},
+                          b[2] * m.metallic, dielectric);
+    return look_of(ds, converted_gloss(b[1] * m.roughness, GlossForm::roughness, gloss),
+                   largest_channel(dielectric));
   }
 };
 
@@ -131,90 +153,206 @@ double of_partly_metal(const GltfMaterial& m, const MaterialPair& pair, const st
   return worst;
 }
 
-// Half way between two texels diffuse of the material's own textures is that of the pair plus, and F0 that of
-// the pair less a quarter of what base colour differs by times what metal differs by.
-double between_texels(const GltfMaterial& m, const Image8& base, const Image8& metal,
-                      const MaterialPair& pair, const std::uint8_t* used) {
-  const LinearTables& tables = linear_tables();
-  const auto width = static_cast<std::size_t>(pair.diffuse_alpha.width);
-  const auto base_channels = static_cast<std::size_t>(base.channels),
-             metal_channels = static_cast<std::size_t>(metal.channels);
-  const std::size_t metal_channel = metal_channels >= 3 ? 2 : 0;
+// F0 of metal comes from base colour, so that vertex colours multiply it; F0 in a texture of its own they do not.
+double of_tinted_metal(const GltfMaterial& m, const Image8& metallic, const MaterialPair& pair,
+                       const std::uint8_t* used, const VertexColors& colors) {
+  const Vec3 dielectric =
+      dielectric_f0(m.ior, m.specular, {m.specular_color[0], m.specular_color[1], m.specular_color[2]});
   double worst = 0;
-  const auto compare = [&](std::size_t i, std::size_t j) {
-    const int metal_steps =
-        metal.values[metal_channels * i + metal_channel] - metal.values[metal_channels * j + metal_channel];
-    if (metal_steps == 0 || (used != nullptr && (used[i] == 0 || used[j] == 0))) return;
+  for (std::size_t i = 0; i < pair.specular_gloss.pixel_count(); ++i) {
+    const double metal = metallic.values[i] / 255.0;
+    if (metal == 0 || (used != nullptr && used[i] == 0)) continue;
     for (std::size_t c = 0; c < 3; ++c) {
-      const std::size_t from = base_channels < 3 ? 0 : c;
-      const double color = (double{tables.srgb[base.values[base_channels * i + from]]} -
-                            double{tables.srgb[base.values[base_channels * j + from]]}) *
-                           m.base_color[c];
-      const double shift = color * metal_steps * m.metallic / (4 * 255);
-      if (std::abs(shift) * steepest_code <= worst) continue;
-      const auto differs = [&](const Image8& texture, double by) {
-        const double mean = 0.5 * (double{tables.srgb[texture.values[4 * i + c]]} +
-                                   double{tables.srgb[texture.values[4 * j + c]]});
-        worst = std::max(worst, std::abs(unrounded_code(mean + by) - unrounded_code(mean)));
-      };
-      differs(pair.diffuse_alpha, shift);
-      differs(pair.specular_gloss, -shift);
+      const double f0 = double{linear_tables().srgb[pair.specular_gloss.values[4 * i + c]]};
+      const double of_metal = std::max(0.0, f0 - dielectric[c] * (1 - metal));
+      for (const double factor : {colors.least[c], colors.most[c]})
+        worst = std::max(worst, std::abs(unrounded_code(f0) - unrounded_code(f0 - of_metal * (1 - factor))));
     }
-  };
-  for (std::size_t i = 0; i < pair.diffuse_alpha.pixel_count(); ++i) {
-    if ((i + 1) % width != 0) compare(i, i + 1);
-    if (i + width < pair.diffuse_alpha.pixel_count()) compare(i, i + width);
   }
   return worst;
 }
+
+// Of the places between texels where a sampler mixes them in equal parts. There diffuse of the material's own textures
+// is that of the pair plus, and F0 that of the pair less, what base colour and metal vary together by: their mean
+// product less the product of their means.
+class BetweenTexels {
+ public:
+  BetweenTexels(const GltfMaterial& m, const Image8& base, const Image8& metal, const MaterialPair& pair,
+                const std::uint8_t* used)
+      : m_(m), base_(base), metal_(metal), pair_(pair), used_(used) {}
+
+  double worst() {
+    const int width = pair_.diffuse_alpha.width, height = pair_.diffuse_alpha.height;
+    const GltfSampler& sampler = m_.base_color_texture->sampler;
+    const auto at = [&](int x, int y) {
+      return static_cast<std::size_t>(wrapped_texel(y, height, sampler.wrap_v)) *
+                 static_cast<std::size_t>(width) +
+             static_cast<std::size_t>(wrapped_texel(x, width, sampler.wrap_u));
+    };
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const std::array<std::size_t, 4> corner{at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)};
+        compare<2>({corner[0], corner[1]});
+        compare<2>({corner[0], corner[2]});
+        compare<4>(corner);
+      }
+    return worst_;
+  }
+
+ private:
+  template <std::size_t count>
+  void compare(const std::array<std::size_t, count>& texels) {
+    const auto metal_of = [&](std::size_t i) {
+      const auto channels = static_cast<std::size_t>(metal_.channels);
+      return metal_.values[channels * i + (channels >= 3 ? 2 : 0)] * m_.metallic / 255;
+    };
+    double metal = 0;
+    bool same = true;
+    for (const std::size_t i : texels) {
+      if (used_ != nullptr && used_[i] == 0) return;
+      metal += metal_of(i) / count;
+      same = same && metal_of(i) == metal_of(texels[0]);
+    }
+    if (same) return;
+    for (std::size_t c = 0; c < 3; ++c) {
+      double color = 0, product = 0;
+      for (const std::size_t i : texels) {
+        const auto channels = static_cast<std::size_t>(base_.channels);
+        const double here =
+            linear_tables().srgb[base_.values[channels * i + (channels < 3 ? 0 : c)]] * m_.base_color[c];
+        color += here / count;
+        product += here * metal_of(i) / count;
+      }
+      const double shift = product - color * metal;
+      if (std::abs(shift) * steepest_code <= worst_) continue;
+      differs(pair_.diffuse_alpha, texels, c, shift);
+      differs(pair_.specular_gloss, texels, c, -shift);
+    }
+  }
+
+  template <std::size_t count>
+  void differs(const Image8& texture, const std::array<std::size_t, count>& texels, std::size_t c,
+               double by) {
+    double mean = 0;
+    for (const std::size_t i : texels)
+      mean += linear_tables().srgb[texture.values[4 * i + c]] / double{count};
+    worst_ = std::max(worst_, std::abs(unrounded_code(mean + by) - unrounded_code(mean)));
+  }
+
+  const GltfMaterial& m_;
+  const Image8& base_;
+  const Image8& metal_;
+  const MaterialPair& pair_;
+  const std::uint8_t* const used_;
+  double worst_ = 0;
+};
 
 std::string size_text(const Image8& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-// At the centres of the texels of one texture.
-double at_centres(const Sources& sources, const Image8& texture, const MaterialPair& pair,
-                  const GltfSampler& sampler, const std::uint8_t* used) {
-  const Magnified a(pair.diffuse_alpha, sampler, true), b(pair.specular_gloss, sampler, true);
-  const int width = pair.diffuse_alpha.width, height = pair.diffuse_alpha.height;
-  double worst = 0;
-  for (int y = 0; y < texture.height; ++y)
-    for (int x = 0; x < texture.width; ++x) {
-      const int column = texel_under(x, texture.width, width), row = texel_under(y, texture.height, height);
-      const std::size_t texel =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-      if (used != nullptr && used[texel] == 0) continue;
-      const double u = (x + 0.5) / texture.width, v = (y + 0.5) / texture.height;
-      const auto diffuse = a.at(u, v), specular = b.at(u, v);
-      const Look of_pair = look_of(
-          {{diffuse[0], diffuse[1], diffuse[2]}, {specular[0], specular[1], specular[2]}}, specular[3]);
-      worst = std::max(worst, largest_difference(sources.at(u, v), of_pair));
+// The pair as a sampler magnifies it, beside what its textures say there.
+class Compared {
+ public:
+  Compared(const Sources& sources, const MaterialPair& pair, const GltfSampler& sampler,
+           const std::uint8_t* used)
+      : sources_(sources),
+        a_(pair.diffuse_alpha, sampler, true),
+        b_(pair.specular_gloss, sampler, true),
+        width_(pair.diffuse_alpha.width),
+        height_(pair.diffuse_alpha.height),
+        sampler_(sampler),
+        used_(used) {}
+
+  // The largest difference at the centres of the texels of a texture of this size, or so many texels beside them.
+  double worst(int width, int height, double right = 0, double down = 0,
+               std::size_t values = without_light) const {
+    double out = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const double u = (x + 0.5 + right) / width, v = (y + 0.5 + down) / height;
+        if (is_read(u, v)) out = std::max(out, difference(u, v, values));
+      }
+    return out;
+  }
+
+  // The same at the pair's own texels and between them.
+  double worst_everywhere() const {
+    double out = worst(width_, height_, 0, 0, Look{}.size());
+    if (sampler_.nearest) return out;
+    for (const auto& [right, down] : {std::pair{0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}})
+      out = std::max(out, worst(width_, height_, right, down));
+    return out;
+  }
+
+ private:
+  // Whether one of the four texels that are mixed there is in use.
+  bool is_read(double u, double v) const {
+    if (used_ == nullptr) return true;
+    const int left = static_cast<int>(std::floor(u * width_ - 0.5)),
+              top = static_cast<int>(std::floor(v * height_ - 0.5));
+    for (int k = 0; k < 4; ++k) {
+      const int x = wrapped_texel(left + k % 2, width_, sampler_.wrap_u),
+                y = wrapped_texel(top + k / 2, height_, sampler_.wrap_v);
+      if (used_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                static_cast<std::size_t>(x)] != 0)
+        return true;
     }
-  return worst;
-}
+    return false;
+  }
+
+  double difference(double u, double v, std::size_t values) const {
+    const auto diffuse = a_.at(u, v), specular = b_.at(u, v);
+    const Vec3 f0{specular[0], specular[1], specular[2]};
+    const Look of_pair =
+        look_of({{diffuse[0], diffuse[1], diffuse[2]}, f0}, specular[3], largest_channel(f0));
+    return largest_difference(sources_.at(u, v), of_pair, values);
+  }
+
+  const Sources& sources_;
+  const Magnified a_, b_;
+  const int width_, height_;
+  const GltfSampler sampler_;
+  const std::uint8_t* const used_;
+};
 
 }  // namespace
 
 ConversionCost conversion_cost(const GltfMaterial& material, const SceneImages<std::uint8_t>& images,
-                               const MaterialPair& pair, GlossForm gloss, const std::uint8_t* used) {
+                               const MaterialPair& pair, GlossForm gloss, const std::uint8_t* used,
+                               const VertexColors& colors) {
   ConversionCost out;
-  if (material.specular_texture || material.specular_color_texture) return out;
-  if (!material.specular_glossiness) out.partial = of_partly_metal(material, pair, used);
+  const VertexColors none;
+  if (!material.specular_glossiness && (colors.least != none.least || colors.most != none.most))
+    out.tinted = of_tinted_metal(
+        material, scene_metallic(material, images, pair.specular_gloss.width, pair.specular_gloss.height),
+        pair, used, colors);
+  const bool varies = material.specular_texture || material.specular_color_texture;
+  if (!material.specular_glossiness && !varies) out.partial = of_partly_metal(material, pair, used);
+  const std::vector<const GltfTexture*> textures = replaced_textures(material);
+  if (textures.size() < 2 && !varies) return out;
   const Sources sources{material, images, gloss};
-  if (!sources.color() || !sources.second() || sources.color()->sampler.nearest) return out;
-  const Image8 &color = images(sources.color()->image), &second = images(sources.second()->image);
-  const auto smaller = [&](const Image8& image) {
-    return image.pixel_count() < pair.diffuse_alpha.pixel_count();
-  };
-  if (!smaller(color) && !smaller(second)) {
-    if (!material.specular_glossiness && material.metallic > 0)
-      out.between = between_texels(material, color, second, pair, used);
-    return out;
+  const Compared compared(sources, pair, textures.front()->sampler, used);
+  std::vector<std::string> sizes;
+  bool is_resized = false;
+  for (const GltfTexture* texture : textures) {
+    const Image8& image = images(texture->image);
+    if (std::ranges::find(sizes, size_text(image)) == sizes.end()) sizes.push_back(size_text(image));
+    if (image.pixel_count() == pair.diffuse_alpha.pixel_count()) continue;
+    is_resized = true;
+    // Without a filter the borders of texels are what matters: where sizes are no multiples they lie amid the pair's.
+    const int steps = texture->sampler.nearest ? 4 : 1;
+    const Image8& at = texture->sampler.nearest ? pair.diffuse_alpha : image;
+    out.resized = std::max(out.resized, compared.worst(steps * at.width, steps * at.height));
   }
-  out.sizes = size_text(color) + " and " + size_text(second);
-  for (const Image8* image : {&color, &second})
-    if (smaller(*image))
-      out.resized = std::max(out.resized, at_centres(sources, *image, pair, sources.color()->sampler, used));
+  if (is_resized) out.sizes = joined(sizes, " and ");
+  if (varies)
+    out.between = compared.worst_everywhere();
+  else if (!is_resized && !material.specular_glossiness && material.metallic > 0 &&
+           !textures.front()->sampler.nearest)
+    out.between =
+        BetweenTexels(material, images(sources.color()->image), images(sources.second()->image), pair, used)
+            .worst();
   return out;
 }
 
@@ -225,13 +363,17 @@ std::optional<std::string> sentence_of(const ConversionCost& cost) {
   if (cost.partial >= 1)
     parts.push_back("diffuse light of texels that are partly metal differs by up to " + codes(cost.partial));
   if (cost.between >= 1)
-    parts.push_back("diffuse and F0 between texels where metal meets what is less metal differ by up to " +
-                    codes(cost.between));
+    parts.push_back(
+        "diffuse and F0 differ between texels, where metal meets what is less metal or textures of specular vary, by up to " +
+        codes(cost.between));
   if (cost.resized >= 1)
     parts.push_back(
         "its textures of " + cost.sizes +
         " were filtered to one size, and at texel centres of the smaller one diffuse, F0 or gloss differ by up to " +
         codes(cost.resized));
+  if (cost.tinted >= 1)
+    parts.push_back("F0 of metal, which vertex colours no longer multiply, differs by up to " +
+                    codes(cost.tinted));
   return "as diffuse and F0 it is not quite what it was: " + joined(parts, "; ");
 }
 

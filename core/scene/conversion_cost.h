@@ -15,25 +15,28 @@ namespace etak {
 /// difference over the texels in use; their rounding to codes apart.
 ///   partial   of texels that are partly metal: glTF takes 1 - F of the dielectric from their diffuse light,
 ///             and of a pair 1 - F of all F0 that they have
-///   between   of diffuse and F0, half way between two neighbouring texels: a sampler mixes metal and base
+///   between   of diffuse and F0, half way between two neighbouring texels and amid four, across the seam of a
+///             texture that repeats too: a sampler mixes metal and base
 ///             colour before the shader makes diffuse and F0 of them, and of a pair diffuse and F0 themselves.
 ///             0 where the textures differ in size
 ///   resized   of diffuse, F0 and gloss, at the centres of the texels of textures that are smaller than the
 ///             pair and were filtered up
+///   tinted    of F0 of metal, which vertex colours (COLOR_0) multiply where it comes from base colour
 ///   sizes     of the textures that differ: "1024 x 1024 and 512 x 512"; empty where all are of one size
 struct ConversionCost {
-  double partial = 0, between = 0, resized = 0;
+  double partial = 0, between = 0, resized = 0, tinted = 0;
   std::string sizes;
 
   /// Whether all of it is less than a code.
-  bool is_exact() const { return partial < 1 && between < 1 && resized < 1; }
+  bool is_exact() const { return partial < 1 && between < 1 && resized < 1 && tinted < 1; }
 };
 
 ///   pair     of the material, as scene_material_pair() gives it
 ///   used     a byte for each texel of the pair, 0 for those that nothing reads; null: all are read
-/// KHR_materials_specular's textures are not looked at.
+///   colors   of all vertices that the material is drawn with
 ConversionCost conversion_cost(const GltfMaterial& material, const SceneImages<std::uint8_t>& images,
-                               const MaterialPair& pair, GlossForm gloss, const std::uint8_t* used);
+                               const MaterialPair& pair, GlossForm gloss, const std::uint8_t* used,
+                               const VertexColors& colors = {});
 
 /// What is told of it, without the material's name. None where all of it is less than a code.
 std::optional<std::string> sentence_of(const ConversionCost& cost);

@@ -89,6 +89,12 @@ struct GltfMaterial {
   AlphaMode alpha_mode = AlphaMode::opaque;
   double alpha_cutoff = 0.5;
   bool double_sided = false;
+  // KHR_materials_unlit: base colour and alpha are all that is seen, and stand here as those of a dielectric
+  // without further textures.
+  bool unlit = false;
+  // Extensions of KHR_materials_* that are not read here (clearcoat, sheen, ...). KHR_materials_pbrSpecularGlossiness may
+  // not stand beside them.
+  bool further_extensions = false;
 };
 
 /// The textures an atlas replaces, none of them null: colour, then metal-rough or specular-gloss, then the
@@ -101,8 +107,21 @@ const GltfTexture* leading_texture(const GltfMaterial& material);
 /// Whether all textures an atlas replaces are looked up at the same place: one set, transform and wrap.
 bool textures_agree(const GltfMaterial& material);
 
+/// The least and the most by which COLOR_0 multiplies base colour, per channel.
+struct VertexColors {
+  std::array<double, 3> least{1, 1, 1}, most{1, 1, 1};
+
+  void add(const VertexColors& other) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      least[c] = std::min(least[c], other.least[c]);
+      most[c] = std::max(most[c], other.most[c]);
+    }
+  }
+};
+
 /// Triangles of one primitive under one material, once for every node that draws it: UVs per set, and the
-/// world area and texture area they stand for.
+/// world area and texture area they stand for. A line is a triangle of two corners, the second of them twice, and a
+/// point one whose corners are the same.
 struct GltfUse {
   int material = -1;    // index into GltfScene::materials
   int same_uv_as = -1;  // an earlier use of the same primitive and material (another node draws it)
@@ -112,6 +131,8 @@ struct GltfUse {
   std::vector<float> world_radius;  // per triangle: its farthest corner from the centre
   // Per triangle, of its edges a and b from the first corner: a a, a b, b b in the world.
   std::vector<std::array<float, 3>> world_edges;
+  VertexColors colors;
+  std::set<int> morphed_uv_sets;  // sets whose UVs morph targets move
 };
 
 /// A camera of the scene, with its place in the world.
@@ -140,7 +161,8 @@ struct GltfScene {
   std::vector<PictureFile> images;
   std::vector<GltfMaterial> materials;  // all of the document; [i].index == i
   std::vector<bool> material_used;      // reached from the scene (and from variants, when those are kept)
-  std::vector<bool> image_used;         // by a used material
+  std::vector<bool> material_written;   // used, or reached from another scene: a written document keeps it
+  std::vector<bool> image_used;         // by a material that a written document keeps
   std::vector<GltfUse> uses;
   std::vector<GltfCamera> cameras;  // reached
   // All triangles that are reached, moved by their nodes, of any material, with the UVs of the first set. Throws Error
@@ -162,8 +184,10 @@ inline constexpr std::size_t most_gltf_buffer_bytes = std::size_t{1} << 31;
 /// naming file and JSON pointer: broken JSON, indices and accessors out of range, wrong types, files outside
 /// of the scene's folder ("..", absolute, with a scheme, behind a link: core/base/files/links.h), nodes that
 /// are reached twice, required extensions that are not known, Draco or meshopt compression.
-///   Triangles are those of modes 4, 5 and 6; skins and morph targets do not move them. Optional extensions
-///   that place copies (EXT_mesh_gpu_instancing) are not looked at. Primitives without a material are no use.
+///   All modes of primitives are uses; skins and morph targets do not move them. Extensions that place copies
+///   (EXT_mesh_gpu_instancing) are not looked at. Primitives without a material are no use. What MSFT_lod puts in the
+///   place of a node or material is used too. Of scenes that `options` do not name the uses are read, because they
+///   share textures with the others; their materials are not used, nor their cameras.
 GltfScene read_gltf(const std::string& path, const GltfOptions& options);
 
 /// Whether `path` is a glTF scene: a file by its ending, .gltf or .glb; a pipe by its first bytes.
@@ -274,8 +298,8 @@ struct WrittenGltf {
 
 /// The document with the materials' textures replaced by the atlas: everything else (meshes, nodes, cameras,
 /// animations, other textures such as normal maps) stays; materials not named in `output` stay as they are.
-/// Unreached materials, images, textures and samplers are left out, and primitives that only unreached scenes
-/// draw lose their material. KHR_texture_transform becomes required where it is used. Throws Error for what
+/// Materials that no scene reaches, and images, textures and samplers without a reader are left out, and primitives
+/// that no scene draws lose their material. KHR_texture_transform becomes required where it is used. Throws Error for what
 /// cannot be kept: animated materials, EXT_lights_image_based, morphed UVs that would have to be rewritten;
 /// and for `output` that contradicts itself.
 WrittenGltf write_gltf(const GltfScene& scene, const GltfOutput& output);

@@ -248,11 +248,53 @@ GltfElements open_accessor(const GltfDocument& document, int index) {
   return out;
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfDocument& document,
-                                                       const JsonNode& primitive, std::size_t vertices,
-                                                       std::size_t most) {
-  const int mode = primitive.has("mode") ? primitive.at("mode").integer(0, 6) : 4;
-  if (mode < 4) return {};
+namespace {
+
+constexpr int points = 0, lines = 1, line_loop = 2, line_strip = 3, triangles = 4, triangle_strip = 5,
+              triangle_fan = 6;
+
+std::size_t element_count(int mode, std::size_t corners) {
+  switch (mode) {
+    case points:
+      return corners;
+    case lines:
+      return corners / 2;
+    case line_loop:
+      return corners < 2 ? 0 : corners;
+    case line_strip:
+      return corners < 2 ? 0 : corners - 1;
+    case triangles:
+      return corners / 3;
+    default:
+      return corners < 3 ? 0 : corners - 2;
+  }
+}
+
+/// The places of the corners of element `i` in the row of corners.
+std::array<std::size_t, 3> corners_of(int mode, std::size_t i, std::size_t corners) {
+  switch (mode) {
+    case points:
+      return {i, i, i};
+    case lines:
+      return {2 * i, 2 * i + 1, 2 * i + 1};
+    case line_loop:
+    case line_strip:
+      return {i, (i + 1) % corners, (i + 1) % corners};
+    case triangle_strip:
+      // Every second triangle of a strip turns the other way; which way does not matter here but to the writer.
+      return {i, i + 1 + i % 2, i + 2 - i % 2};
+    case triangle_fan:
+      return {i + 1, i + 2, 0};
+    default:
+      return {3 * i, 3 * i + 1, 3 * i + 2};
+  }
+}
+
+}  // namespace
+
+DrawnCorners drawn_corners(const GltfDocument& document, const JsonNode& primitive, std::size_t vertices,
+                           std::size_t most) {
+  const int mode = primitive.has("mode") ? primitive.at("mode").integer(points, triangle_fan) : triangles;
   std::size_t corners = vertices;
   GltfElements indices;
   if (primitive.has("indices")) {
@@ -261,7 +303,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfDocument& docum
       primitive.at("indices").fail("an accessor of another type", "SCALAR of unsigned integers");
     corners = indices.count;
   }
-  const std::size_t count = mode == 4 ? corners / 3 : corners < 3 ? 0 : corners - 2;
+  const std::size_t count = element_count(mode, corners);
   if (count > most)
     primitive.fail("triangles beyond " + std::to_string(most_gltf_triangles), "at most so many in all");
   const auto vertex = [&](std::size_t corner) {
@@ -271,13 +313,11 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfDocument& docum
                                    "indices below " + std::to_string(vertices));
     return at;
   };
-  std::vector<std::array<std::uint32_t, 3>> out;
-  out.reserve(count);
+  DrawnCorners out{mode == points ? 1 : mode < triangles ? 2 : 3, {}};
+  out.elements.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (mode == 4) out.push_back({vertex(3 * i), vertex(3 * i + 1), vertex(3 * i + 2)});
-    // Every second triangle of a strip turns the other way; which way does not matter here but to the writer.
-    if (mode == 5) out.push_back({vertex(i), vertex(i + 1 + i % 2), vertex(i + 2 - i % 2)});
-    if (mode == 6) out.push_back({vertex(i + 1), vertex(i + 2), vertex(0)});
+    const auto [a, b, c] = corners_of(mode, i, corners);
+    out.elements.push_back({vertex(a), vertex(b), vertex(c)});
   }
   return out;
 }

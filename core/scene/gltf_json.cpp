@@ -20,12 +20,14 @@ namespace {
 constexpr int most_depth = 64;
 
 /// Extensions that may be required: those read here, and those that change nothing an atlas depends on.
-bool can_be_required(std::string_view name) {
+///   mesh   the triangles themselves are asked for: their copies are not placed
+bool can_be_required(std::string_view name, bool mesh) {
+  if (name == "EXT_mesh_gpu_instancing") return !mesh;
   return name.starts_with("KHR_materials_") || name == "KHR_texture_transform" ||
          name == "KHR_mesh_quantization" || name == "KHR_lights_punctual" || name == "EXT_texture_webp";
 }
 
-void check_head(const GltfDocument& document) {
+void check_head(const GltfDocument& document, const GltfOptions& options) {
   const JsonNode root = document.node();
   root.expect_object();
   const JsonNode asset = root.at("asset");
@@ -40,7 +42,7 @@ void check_head(const GltfDocument& document) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == "KHR_draco_mesh_compression" || names[i].ends_with("_meshopt_compression"))
       required.at(i).fail("meshes compressed by " + names[i], "meshes that are not compressed");
-    if (!can_be_required(names[i]))
+    if (!can_be_required(names[i], options.mesh))
       required.at(i).fail("required extension " + in_quotes(names[i]), "extensions that etak knows");
   }
 }
@@ -120,8 +122,8 @@ std::vector<PictureFile> images_of(const GltfDocument& document) {
 
 void mark_used_images(const GltfDocument& document, GltfScene& scene) {
   scene.image_used.assign(scene.images.size(), false);
-  for (std::size_t i = 0; i < scene.material_used.size(); ++i) {
-    if (!scene.material_used[i]) continue;
+  for (std::size_t i = 0; i < scene.material_written.size(); ++i) {
+    if (!scene.material_written[i]) continue;
     each_image_of_material(document, i,
                            [&](const std::string&, std::size_t image) { scene.image_used[image] = true; });
   }
@@ -155,13 +157,14 @@ GltfScene parse_in_memory(std::string_view bytes, const std::string& path, const
   }
   const JsonDocument root = parse_json_strictly(text, path, most_depth, "a glTF document");
   GltfDocument document{root, path, {}};
-  check_head(document);
+  check_head(document, options);
   scene.json = std::make_shared<const std::string>(text);
   scene.buffers = std::make_shared<const std::vector<std::string>>(buffers_of(document, binary_chunk));
   document.buffers.assign(scene.buffers->begin(), scene.buffers->end());
   scene.images = images_of(document);
   scene.materials = materials_of(document);
   scene.material_used.assign(scene.materials.size(), false);
+  scene.material_written = scene.material_used;
   scene.scenes = document.count("scenes");
   read_variants(document, scene);
   walk_scenes(document, scene);

@@ -73,23 +73,30 @@ std::optional<AccessorBytes> bytes_of_accessor(const GltfDocument& document, int
 /// Opens accessor `index` of the document: SCALAR and VEC2..4.
 GltfElements open_accessor(const GltfDocument& document, int index);
 
-/// The vertex indices of the triangles a primitive draws, none for points and lines.
+/// The vertex indices of what a primitive draws, as triangles: of a line the second stands twice, of a point all are
+/// the same.
+struct DrawnCorners {
+  int distinct = 3;  // corners of an element: 1 of points, 2 of lines
+  std::vector<std::array<std::uint32_t, 3>> elements;
+};
 ///   vertices   all indices are below it
-///   most       more triangles than this throw Error
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfDocument& document,
-                                                       const JsonNode& primitive, std::size_t vertices,
-                                                       std::size_t most);
+///   most       more elements than this throw Error
+DrawnCorners drawn_corners(const GltfDocument& document, const JsonNode& primitive, std::size_t vertices,
+                           std::size_t most);
 
 /// All materials of the document.
 std::vector<GltfMaterial> materials_of(const GltfDocument& document);
 /// The image of a texture of the document: its source, or that of an extension; -1 when it has none.
 int image_of_texture(const GltfDocument& document, int texture);
 
-/// The materials of a primitive: its own, then those of its variants.
+/// The materials of a primitive: its own, then those of its variants, then those of their levels of detail.
 std::vector<int> materials_of_primitive(const GltfDocument& document, const JsonNode& primitive,
                                         bool variants);
 
-/// Walks the scenes that `scene.options` names: uses, cameras, used materials.
+/// The elements of an object's MSFT_lod, indices into `array`; none where it has no such extension.
+std::vector<int> lower_levels(const GltfDocument& document, const JsonNode& node, const char* array);
+
+/// Walks the scenes that `scene.options` names: uses, cameras, used materials. Then the other scenes.
 void walk_scenes(const GltfDocument& document, GltfScene& scene);
 
 /// Calls see(key, value) for every key of every object in `json`, outer ones first.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Materials, textures and samplers of glTF 2.0 (specification, sections 3.8 and 3.9) and the extensions of
 // gltf.h.
+#include <algorithm>
 #include <limits>
 
 #include "core/scene/gltf_json.h"
@@ -99,6 +100,27 @@ void read_extensions(const GltfDocument& document, const JsonNode& extensions, G
   }
 }
 
+// Whether extensions stand there that neither read_extensions() reads nor the writer takes away.
+bool has_further_extensions(const Json& extensions) {
+  for (const auto& [name, ignored] : extensions.items())
+    if (name.starts_with("KHR_materials_") && name != "KHR_materials_ior" &&
+        name != "KHR_materials_specular" && name != "KHR_materials_pbrSpecularGlossiness" &&
+        name != "KHR_materials_unlit")
+      return true;
+  return false;
+}
+
+// Leaves base colour and alpha: without light there is neither metal nor roughness nor F0.
+void make_unlit(GltfMaterial& m) {
+  m.unlit = true;
+  m.metallic = 0;
+  m.ior = 1.5;
+  m.specular = 1;
+  m.specular_color = {1, 1, 1};
+  m.specular_glossiness = false;
+  m.metallic_roughness_texture = m.specular_texture = m.specular_color_texture = std::nullopt;
+}
+
 GltfMaterial material_of(const GltfDocument& document, int index) {
   const JsonNode node = document.element("materials", index);
   GltfMaterial out;
@@ -108,6 +130,8 @@ GltfMaterial material_of(const GltfDocument& document, int index) {
   if (node.has("extensions")) {
     node.at("extensions").expect_object();
     read_extensions(document, node.at("extensions"), out);
+    out.further_extensions = has_further_extensions(node.at("extensions").value);
+    if (extension(node.value, "KHR_materials_unlit")) make_unlit(out);
   }
   out.normal_texture = texture_at(document, node, "normalTexture");
   if (out.normal_texture)
@@ -143,6 +167,37 @@ std::vector<GltfMaterial> materials_of(const GltfDocument& document) {
   std::vector<GltfMaterial> out;
   const int count = static_cast<int>(document.count("materials"));
   for (int i = 0; i < count; ++i) out.push_back(material_of(document, i));
+  return out;
+}
+
+std::vector<int> materials_of_primitive(const GltfDocument& document, const JsonNode& primitive,
+                                        bool variants) {
+  std::vector<int> out;
+  const auto add = [&](const JsonNode& node) {
+    const int material = document.index(node, "materials");
+    if (std::find(out.begin(), out.end(), material) == out.end()) out.push_back(material);
+  };
+  if (primitive.has("material")) add(primitive.at("material"));
+  if (variants && extension(primitive.value, "KHR_materials_variants")) {
+    const JsonNode mappings = primitive.at("extensions").at("KHR_materials_variants").at("mappings");
+    mappings.expect_array();
+    for (std::size_t i = 0; i < mappings.size(); ++i) {
+      mappings.at(i).expect_object();
+      add(mappings.at(i).at("material"));
+    }
+  }
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (const int level : lower_levels(document, document.element("materials", out[i]), "materials"))
+      if (std::find(out.begin(), out.end(), level) == out.end()) out.push_back(level);
+  return out;
+}
+
+std::vector<int> lower_levels(const GltfDocument& document, const JsonNode& node, const char* array) {
+  if (!extension(node.value, "MSFT_lod")) return {};
+  const JsonNode ids = node.at("extensions").at("MSFT_lod").at("ids");
+  ids.expect_array();
+  std::vector<int> out;
+  for (std::size_t i = 0; i < ids.size(); ++i) out.push_back(document.index(ids.at(i), array));
   return out;
 }
 

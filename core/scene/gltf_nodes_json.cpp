@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes, nodes, meshes and cameras of glTF 2.0 (specification, sections 3.5, 3.7 and 3.10).
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -60,27 +61,40 @@ class Walk {
  public:
   Walk(const GltfDocument& document, GltfScene& scene) : document_(document), scene_(scene) {}
 
-  void scene(int index) {
+  ///   asked   the options name it
+  void scene(int index, bool asked) {
     const JsonNode node = document_.element("scenes", index);
     if (!node.has("nodes")) return;
     const JsonNode roots = node.at("nodes");
     roots.expect_array();
-    struct Step {
-      int node;
-      Placement parent;
-    };
     std::vector<Step> open;
     for (std::size_t i = roots.size(); i-- > 0;) open.push_back({document_.index(roots.at(i), "nodes"), {}});
+    counts_ = asked;
+    is_lower_level_ = false;
+    walk(std::move(open), index);
+    // Lower levels of detail come last: those that are nodes of the scene themselves are drawn by then.
+    is_lower_level_ = true;
+    while (!lower_levels_.empty()) walk(std::exchange(lower_levels_, {}), index);
+  }
+
+ private:
+  struct Step {
+    int node;
+    Placement parent;
+  };
+
+  void walk(std::vector<Step> open, int index) {
     // The tree is walked without recursion, because a deep one would overflow the stack.
     while (!open.empty()) {
       const Step step = open.back();
       open.pop_back();
       const JsonNode at = document_.element("nodes", step.node);
       int& seen_in = seen_in_.try_emplace(step.node, -1).first->second;
-      if (seen_in == index)
-        at.fail("reached twice in scene " + std::to_string(index), "each node under one parent");
       // Another scene has drawn the node already, in a strict tree below the same parents.
       const bool drawn = seen_in >= 0;
+      if (drawn && is_lower_level_) continue;
+      if (seen_in == index)
+        at.fail("reached twice in scene " + std::to_string(index), "each node under one parent");
       seen_in = index;
       const Placement place = within(step.parent, placement_of(at));
       for (const auto& row : place.linear)
@@ -88,6 +102,8 @@ class Walk {
           if (!(std::abs(value) <= widest))
             at.fail("a transform beyond 1e12", "a scene of a size that can be computed");
       if (!drawn) visit(at, place);
+      for (const int level : lower_levels(document_, at, "nodes"))
+        lower_levels_.push_back({level, step.parent});
       if (!at.has("children")) continue;
       const JsonNode children = at.at("children");
       children.expect_array();
@@ -96,9 +112,9 @@ class Walk {
     }
   }
 
- private:
   void visit(const JsonNode& node, const Placement& place) {
-    if (node.has("camera"))
+    const bool is_seen = counts_ && !is_lower_level_;
+    if (node.has("camera") && is_seen)
       camera(document_.element("cameras", document_.index(node.at("camera"), "cameras")), place);
     if (!node.has("mesh")) return;
     const int index = document_.index(node.at("mesh"), "meshes");
@@ -107,7 +123,7 @@ class Walk {
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       primitives.at(i).expect_object();
       primitive(primitives.at(i), {index, static_cast<int>(i)}, place);
-      if (scene_.options.mesh) add_to_mesh(primitives.at(i), place);
+      if (scene_.options.mesh && is_seen) add_to_mesh(primitives.at(i), place);
     }
   }
 
@@ -152,9 +168,9 @@ class Walk {
     Mesh& mesh = scene_.mesh;
     const auto positions = positions_of(node);
     if (!positions) return;
-    const auto triangles =
-        triangles_of(document_, node, positions->count, most_gltf_triangles - mesh.triangles.size());
-    if (triangles.empty()) return;
+    const auto [corners, triangles] =
+        drawn_corners(document_, node, positions->count, most_gltf_triangles - mesh.triangles.size());
+    if (corners < 3 || triangles.empty()) return;
     // Few triangles may bring many vertices, once for each node.
     if (mesh.vertices.size() + positions->count > most_gltf_triangles)
       node.fail("vertices beyond " + std::to_string(most_gltf_triangles), "at most so many in all");
@@ -194,13 +210,18 @@ class Walk {
   void primitive(const JsonNode& node, std::pair<int, int> id, const Placement& place) {
     const auto materials = materials_of_primitive(document_, node, scene_.options.variants);
     if (materials.empty()) return;
-    for (const int material : materials) scene_.material_used[static_cast<std::size_t>(material)] = true;
+    for (const int material : materials) {
+      scene_.material_written[static_cast<std::size_t>(material)] = true;
+      if (counts_) scene_.material_used[static_cast<std::size_t>(material)] = true;
+    }
     const auto found = positions_of(node);
     if (!found) return;  // nothing is drawn, says the specification
     const GltfElements& positions = *found;
     const JsonNode attributes = node.at("attributes");
     GltfUse use = areas(node, attributes, positions, place);
     read_uvs(attributes, positions.count, use);
+    read_colors(attributes, positions.count, use);
+    read_targets(node, use);
     for (std::size_t i = 0; i < materials.size(); ++i) {
       if (i > 0) count(node, triangles_.size());
       use.material = materials[i];
@@ -214,7 +235,7 @@ class Walk {
   /// Triangles of a primitive into triangles_, their areas and centres into a use.
   GltfUse areas(const JsonNode& node, const JsonNode& attributes, const GltfElements& positions,
                 const Placement& place) {
-    triangles_ = triangles_of(document_, node, positions.count, most_gltf_triangles - total_);
+    triangles_ = drawn_corners(document_, node, positions.count, most_gltf_triangles - total_).elements;
     count(node, triangles_.size());
     GltfUse use;
     use.world_area.reserve(triangles_.size());
@@ -262,6 +283,35 @@ class Walk {
     }
   }
 
+  void read_colors(const JsonNode& attributes, std::size_t vertices, GltfUse& use) const {
+    if (!attributes.has("COLOR_0")) return;
+    const JsonNode index = attributes.at("COLOR_0");
+    const GltfElements colors = open_accessor(document_, document_.index(index, "accessors"));
+    if (colors.components < 3 || colors.count != vertices)
+      index.fail("an accessor of another type or count", "VEC3 or VEC4, one for each POSITION");
+    for (std::size_t i = 0; i < vertices; ++i) {
+      const Vec3 color = numbers_of(colors, i);
+      use.colors.add({color, color});
+    }
+  }
+
+  static void read_targets(const JsonNode& node, GltfUse& use) {
+    if (!node.has("targets")) return;
+    const JsonNode targets = node.at("targets");
+    targets.expect_array();
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      targets.at(i).expect_object();
+      for (const auto& [name, ignored] : targets.at(i).value.items()) {
+        // Weights may lead anywhere between black and white.
+        if (name == "COLOR_0") use.colors.least = {0, 0, 0};
+        int set = 0;
+        if (name.starts_with("TEXCOORD_") &&
+            std::from_chars(name.data() + 9, name.data() + name.size(), set).ec == std::errc())
+          use.morphed_uv_sets.insert(set);
+      }
+    }
+  }
+
   void count(const JsonNode& node, std::size_t triangles) {
     total_ += triangles;
     if (total_ > most_gltf_triangles)
@@ -297,27 +347,12 @@ class Walk {
   std::map<std::array<int, 3>, int> first_use_;          // mesh, primitive, material to its first use
   std::vector<std::array<std::uint32_t, 3>> triangles_;  // of the primitive at hand
   std::size_t total_ = 0;
+  bool counts_ = true;              // the scene at hand is one of those that are asked for
+  bool is_lower_level_ = false;     // the nodes at hand stand in the place of others
+  std::vector<Step> lower_levels_;  // of the scene at hand, still to be walked
 };
 
 }  // namespace
-
-std::vector<int> materials_of_primitive(const GltfDocument& document, const JsonNode& primitive,
-                                        bool variants) {
-  std::vector<int> out;
-  const auto add = [&](const JsonNode& node) {
-    const int material = document.index(node, "materials");
-    if (std::find(out.begin(), out.end(), material) == out.end()) out.push_back(material);
-  };
-  if (primitive.has("material")) add(primitive.at("material"));
-  if (!variants || !extension(primitive.value, "KHR_materials_variants")) return out;
-  const JsonNode mappings = primitive.at("extensions").at("KHR_materials_variants").at("mappings");
-  mappings.expect_array();
-  for (std::size_t i = 0; i < mappings.size(); ++i) {
-    mappings.at(i).expect_object();
-    add(mappings.at(i).at("material"));
-  }
-  return out;
-}
 
 void walk_scenes(const GltfDocument& document, GltfScene& scene) {
   const int scenes = static_cast<int>(document.count("scenes"));
@@ -332,8 +367,11 @@ void walk_scenes(const GltfDocument& document, GltfScene& scene) {
   int first = 0;
   if (document.root.contains("scene")) first = document.index(document.node().at("scene"), "scenes");
   if (scene.options.scene) first = *scene.options.scene;
-  if (!scene.options.all_scenes) return walk.scene(first);
-  for (int i = 0; i < scenes; ++i) walk.scene(i);
+  const auto is_asked = [&](int i) { return scene.options.all_scenes || i == first; };
+  for (int i = 0; i < scenes; ++i)
+    if (is_asked(i)) walk.scene(i, true);
+  for (int i = 0; i < scenes && !scene.options.mesh; ++i)
+    if (!is_asked(i)) walk.scene(i, false);
 }
 
 }  // namespace etak

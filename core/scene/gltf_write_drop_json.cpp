@@ -42,7 +42,12 @@ std::vector<bool> none_of(const GltfRewrite& rewrite, const char* array) {
 
 void drop_materials(GltfRewrite& rewrite) {
   Json& root = rewrite.root;
-  const Renumbering to = keep_elements(root, "materials", rewrite.scene.material_used);
+  const Renumbering to = keep_elements(root, "materials", rewrite.scene.material_written);
+  if (root.contains("materials"))
+    for (Json& material : root["materials"])
+      if (extension(material, "MSFT_lod"))
+        for (Json& level : material["extensions"]["MSFT_lod"]["ids"])
+          level = followed(rewrite, level, to, "materials");
   if (!root.contains("meshes")) return;
   const auto primitive = [&](Json& json) {
     if (json.contains("material")) {

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstring>
 #include <limits>
+#include <span>
 
 #include "core/base/number.h"
 #include "core/scene/gltf_write_json.h"
@@ -74,8 +75,8 @@ class Primitive {
 
   void rewrite(int to_set) {
     if (!read()) return;
-    for (std::size_t i = 0; i < triangles_.size(); ++i) place(i);
-    // Vertices of points, of lines and of no triangle are placed one by one.
+    for (std::size_t i = 0; i < drawn_.elements.size(); ++i) place(i);
+    // Vertices that nothing draws are placed one by one.
     for (Index i = 0; i < vertices_; ++i)
       if (island_of_[i] == unset) place_vertex(i);
     if (!copies_.empty()) {
@@ -112,7 +113,7 @@ class Primitive {
         index.fail("an accessor of another type or count", "VEC2, one for each POSITION");
       for (Index i = 0; i < vertices_; ++i) source_[i] = own_ * Uv{uvs.number(i, 0), uvs.number(i, 1)};
     }
-    triangles_ = triangles_of(document, at, positions.count, most_gltf_triangles);
+    drawn_ = drawn_corners(document, at, positions.count, most_gltf_triangles);
     target_.assign(vertices_, {0, 0});
     island_of_.assign(vertices_, unset);
     period_.assign(vertices_, {});
@@ -122,7 +123,7 @@ class Primitive {
 
   /// Places the corners of a triangle. A vertex that another triangle has placed elsewhere is doubled.
   void place(std::size_t triangle) {
-    auto& corners = triangles_[triangle];
+    auto& corners = drawn_.elements[triangle];
     const std::array<Uv, 3> uvs{source_[corners[0]], source_[corners[1]], source_[corners[2]]};
     Index island = 0;
     UvTransform fold;
@@ -238,10 +239,11 @@ class Primitive {
   void write_indices() {
     const bool wide = island_of_.size() > 65535;
     const std::size_t size = wide ? 4 : 2;
-    std::string bytes(3 * triangles_.size() * size, '\0');
+    const auto distinct = static_cast<std::size_t>(drawn_.distinct);
+    std::string bytes(distinct * drawn_.elements.size() * size, '\0');
     char* to = bytes.data();
-    for (const auto& triangle : triangles_)
-      for (const Index index : triangle) {
+    for (const auto& corners : drawn_.elements)
+      for (const Index index : std::span(corners).first(distinct)) {
         const auto narrow = static_cast<std::uint16_t>(index);
         if (wide)
           std::memcpy(to, &index, size);
@@ -251,7 +253,8 @@ class Primitive {
       }
     const Json accessor{{"componentType", wide ? 5125 : 5123}, {"type", "SCALAR"}};
     json()["indices"] = add_accessor(rewrite_, bytes, size, accessor, 34963);
-    json()["mode"] = 4;
+    constexpr std::array modes{0, 1, 4};  // points, lines, triangles
+    json()["mode"] = modes[distinct - 1];
   }
 
   void write_uvs(int to_set) {
@@ -274,7 +277,7 @@ class Primitive {
   UvMatrix own_{};
   GltfSampler sampler_;
   Index vertices_ = 0;
-  std::vector<std::array<Index, 3>> triangles_;
+  DrawnCorners drawn_;
   // Per vertex, copies behind the others.
   std::vector<Uv> source_, target_, period_;
   std::vector<Index> island_of_, next_copy_;

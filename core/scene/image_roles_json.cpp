@@ -121,7 +121,7 @@ std::vector<bool> images_kept(const GltfScene& scene, const GltfOutput& output) 
   for (const AtlasMaterial& m : output.materials) replaced[m.material] = &m;
   std::vector<bool> out(scene.images.size(), false);
   for (const GltfMaterial& m : scene.materials) {
-    if (!scene.material_used[static_cast<std::size_t>(m.index)]) continue;
+    if (!scene.material_written[static_cast<std::size_t>(m.index)]) continue;
     const auto found = replaced.find(m.index);
     each_image_of_material(document, static_cast<std::size_t>(m.index),
                            [&](const std::string& key, std::size_t image) {

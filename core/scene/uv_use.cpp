@@ -148,12 +148,12 @@ PeriodFold fold_of_period(Wrap wrap, double period) {
   return {1, period == 0 ? 0.0 : -period};
 }
 
-/// The period that holds least..most up to `slack` at either end; false when none does. Clamping has no
-/// periods.
+/// The period that holds least..most up to `slack` at either end; false when none does. Clamping has no periods: what
+/// lies beyond the texture reads its edge, which lies amid a page where the texture is cut out.
 bool period_of(Wrap wrap, double least, double most, double slack, double& period) {
   period = 0;
-  if (wrap == Wrap::clamp) return true;
   if (least >= -slack && most <= 1 + slack) return true;  // nothing to shift, even where 1 alone is read
+  if (wrap == Wrap::clamp) return false;
   period = std::floor((least + most) / 2);
   return least >= period - slack && most <= period + 1 + slack;
 }
@@ -177,7 +177,8 @@ bool collect(const MaterialUses& uses, int material, const GltfTexture& texture,
   for (const GltfUse* each : uses.of(material)) {
     const GltfUse& use = *each;
     if (use.same_uv_as >= 0 || use.world_area.empty()) continue;
-    if (texture.uv_set > 1 || use.uv[texture.uv_set].empty()) {
+    if (texture.uv_set > 1 || use.uv[texture.uv_set].empty() ||
+        use.morphed_uv_sets.contains(texture.uv_set)) {
       all = false;
       continue;
     }

@@ -12,8 +12,8 @@ namespace etak {
 /// Which texels of a width x height texture the triangles of some uses touch.
 struct TexelUse {
   int width = 0, height = 0;
-  // Along an axis whose sampler wraps, no common shift brings all triangles into [0,1] (up to half a
-  // texel): the whole period is in use.
+  // No common shift brings all triangles into [0,1] (up to half a texel), by periods along an axis whose sampler wraps
+  // and none along one that clamps: the whole texture is in use.
   bool tiles = false;
   // Each triangle by itself lies in one period, though not all in the same: `tiles` can be undone by
   // rewriting UVs (AtlasMaterial::islands do).
@@ -38,8 +38,9 @@ struct TexelUse {
   std::vector<std::array<std::int16_t, 4>> footprints;
 };
 
-/// Rasterises conservatively: no texel that bilinear filtering at level 0 can read is missed. Triangles
-/// without the texture's UV set, and sets beyond the second, count as touching everything. A triangle over
+/// Rasterises conservatively: no texel that bilinear filtering at level 0 can read is missed, of lines and points
+/// neither. Triangles without the texture's UV set, or whose set is morphed, and sets beyond the second count as
+/// touching everything. A triangle over
 /// more than four periods counts as touching everything too. Throws Error for UVs that are NaN or beyond
 /// +-1e6.
 TexelUse texel_use(const MaterialUses& uses, int material, const GltfTexture& texture, int width, int height);

@@ -32,14 +32,14 @@ struct Subject {
     }
   }
 
-  ConversionCost cost(const std::vector<std::uint8_t>& used = {}) const {
+  ConversionCost cost(const std::vector<std::uint8_t>& used = {}, const VertexColors& colors = {}) const {
     const SceneImages<std::uint8_t> images = [this](int image) -> const Image8& {
       return image == 0 ? color : metal_rough;
     };
     std::size_t clamped = 0;
     const MaterialPair pair = scene_material_pair(m, images, GlossForm::one_minus_roughness, false, clamped);
     return conversion_cost(m, images, pair, GlossForm::one_minus_roughness,
-                           used.empty() ? nullptr : used.data());
+                           used.empty() ? nullptr : used.data(), colors);
   }
 };
 
@@ -73,6 +73,54 @@ TEST_CASE("what a pair loses where bright metal meets dark paint is told in code
   CHECK(contains(*sentence_of(cost), "where metal meets what is less metal"));
   // Nothing is lost where nothing reads both sides.
   CHECK(subject.cost({1, 1, 0, 0, 1, 1, 0, 0}).is_exact());
+}
+
+TEST_CASE(
+    "what is lost across the seam of a texture that repeats is told, and not where it clamps or mirrors") {
+  Subject subject(4, 4);
+  for (int x = 0; x < 4; ++x) subject.paint(x, x == 0 ? 40 : x == 3 ? 230 : 130, 100, x < 3 ? 0 : 255);
+  // Clamped: metal meets the colour of column 2 alone.
+  const double clamped = subject.cost().between;
+  const auto wrapped = [&](Wrap wrap) {
+    for (GltfTexture* texture : {&*subject.m.base_color_texture, &*subject.m.metallic_roughness_texture})
+      texture->sampler.wrap_u = wrap;
+    return subject.cost().between;
+  };
+  CHECK(wrapped(Wrap::mirrored) == clamped);
+  const double dark = srgb_decode(40 / 255.0), bright = srgb_decode(230 / 255.0);
+  const double diffuse = (dark + bright) / 2 * 0.5, f0 = 0.02 + (dark + bright) / 2 * 0.5;
+  CHECK(wrapped(Wrap::repeat) == Approx(std::max(std::abs(code_of(diffuse) - code_of(dark / 2)),
+                                                 std::abs(code_of(f0) - code_of((0.04 + bright) / 2))))
+                                     .margin(0.5));
+  CHECK(wrapped(Wrap::repeat) > clamped + 5);
+}
+
+TEST_CASE("what is lost amid four texels is told where no two neighbours lose anything") {
+  Subject subject(2, 2);
+  // Colours bright but for the lower right, which alone is metal's neighbour at the corner.
+  const auto set = [&](int x, int y, std::uint8_t base, std::uint8_t metal) {
+    std::ranges::fill(subject.color.at(x, y), base);
+    subject.metal_rough.at(x, y)[1] = 100, subject.metal_rough.at(x, y)[2] = metal;
+  };
+  set(0, 0, 20, 0), set(1, 0, 230, 0), set(0, 1, 230, 0), set(1, 1, 230, 255);
+  const double dark = srgb_decode(20 / 255.0), bright = srgb_decode(230 / 255.0);
+  // Of the four a quarter is metal. The shader has the mean colour, the pair the mean of each surface.
+  const double color = (dark + 3 * bright) / 4;
+  const double of_diffuse = std::abs(code_of(color * 0.75) - code_of((dark + 2 * bright) / 4)),
+               of_f0 = std::abs(code_of(0.03 + color / 4) - code_of(0.03 + bright / 4));
+  CHECK(subject.cost().between == Approx(std::max(of_diffuse, of_f0)).margin(0.5));
+}
+
+TEST_CASE("F0 of metal that vertex colours would multiply is told by the darkest of them") {
+  Subject subject(4, 4);
+  for (int x = 0; x < 4; ++x) subject.paint(x, 200, 100, 255);
+  const double base = srgb_decode(200 / 255.0);
+  const VertexColors colors{{1, 0.25, 1}, {1, 1, 1}};
+  CHECK(subject.cost({}, colors).tinted == Approx(code_of(base) - code_of(base / 4)).margin(0.01));
+  CHECK(!subject.cost({}, colors).is_exact());
+  CHECK(subject.cost().tinted == 0);
+  for (int x = 0; x < 4; ++x) subject.paint(x, 200, 100, 0);
+  CHECK(subject.cost({}, colors).tinted == 0);
 }
 
 TEST_CASE("the diffuse light of what is partly metal is told") {

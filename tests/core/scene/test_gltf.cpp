@@ -106,7 +106,30 @@ TEST_CASE("strips and fans draw the triangles of the list") {
   const auto fan = with({0, 1, 2, 3}, "6");
   CHECK(fan.uses[0].world_area == std::vector<float>{0.5f, 0.5f});
   CHECK(fan.uses[0].uv[0][1] == std::array<std::array<float, 2>, 3>{{{1, 1}, {0, 1}, {0, 0}}});
-  CHECK(with({0, 1, 2, 3}, "1").uses[0].world_area.empty());
+}
+
+TEST_CASE("lines and points are triangles without an area, of the UVs that they read") {
+  const auto drawn = [](const std::string& mode) {
+    std::string buffer = unit_quad();
+    buffer.replace(80, 8, bytes_of<std::uint16_t>({3, 1, 0, 2}));
+    std::string text = quad_json(plain_material, std::string(two_images));
+    text = replaced(text, R"("uri":"quad.bin",)", "\"uri\":\"data:;base64," + base64(buffer) + "\",");
+    text = replaced(text, "\"indices\":2", "\"indices\":2,\"mode\":" + mode);
+    const GltfUse use = parsed(replaced(text, "\"count\":6", "\"count\":4")).uses[0];
+    CHECK(std::ranges::all_of(use.world_area, [](float area) { return area == 0; }));
+    // Vertices by number: their UVs are those of the corners of the square.
+    std::vector<std::string> out;
+    for (const auto& corners : use.uv[0]) {
+      std::string& element = out.emplace_back();
+      for (const auto& [u, v] : corners) element += v == 0 ? (u == 0 ? '0' : '1') : u == 0 ? '3' : '2';
+    }
+    return out;
+  };
+  using Elements = std::vector<std::string>;
+  CHECK(drawn("0") == Elements{"333", "111", "000", "222"});
+  CHECK(drawn("1") == Elements{"311", "022"});
+  CHECK(drawn("2") == Elements{"311", "100", "022", "233"});
+  CHECK(drawn("3") == Elements{"311", "100", "022"});
 }
 
 TEST_CASE("materials carry every factor, texture, sampler and extension") {

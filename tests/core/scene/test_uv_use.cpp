@@ -147,9 +147,12 @@ TEST_CASE("a range inside one period is shifted, a mirrored one turned over, a w
   CHECK((apart.tiles && apart.foldable && apart.footprints.size() == 4));
   CHECK(apart.touched == 18 * 33 + 17 * 17 - 17 * 2);
 
+  // Beyond the edge a clamped texture goes on, which a part of a page would not.
+  CHECK(!use_of(rectangle(0.5f, 0.5f, 1, 0.75f), Wrap::clamp).tiles);
   const TexelUse clamped = use_of(rectangle(0.5f, 0.5f, 3, 0.75f), Wrap::clamp);
-  CHECK(!clamped.tiles);
-  CHECK(clamped.box == std::array<int, 4>{31, 31, 33, 18});
+  CHECK((clamped.tiles && !clamped.foldable));
+  CHECK((marked(clamped, 63, 40) && !marked(clamped, 10, 40)));
+  CHECK(clamped.box == std::array<int, 4>{0, 0, 64, 64});
   CHECK(clamped.extent == std::array<int, 4>{31, 31, 162, 18});
 
   // Half a texel over the edge is no tiling; a texture that is read at 1 alone is not shifted.

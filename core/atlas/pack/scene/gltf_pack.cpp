@@ -87,11 +87,24 @@ std::string name_of(const GltfMaterial& m, std::set<std::string>& names) {
   return name;
 }
 
+// Why a material is not packed; null for one that is.
+const char* why_it_stays(const SceneRead& read, const GltfMaterial& m, bool used) {
+  if (!used)
+    return read.scene.material_written[static_cast<std::size_t>(m.index)] ? "is reached by other scenes alone"
+                                                                          : nullptr;
+  if (!textures_agree(m)) return "its textures are looked up at different places";
+  const GltfTexture* const lead = leading_texture(m);
+  const bool is_morphed =
+      lead != nullptr && std::ranges::any_of(read.uses->of(m.index), [&](const GltfUse* use) {
+        return use->morphed_uv_sets.contains(lead->uv_set);
+      });
+  return is_morphed ? "morph targets move its UVs" : nullptr;
+}
+
 void add_material(const GltfMaterial& m, std::set<std::string>& names, SceneRead& read) {
   const bool used = read.scene.material_used[static_cast<std::size_t>(m.index)];
-  if (used && !textures_agree(m)) {
-    read.remarks.push_back(SceneRead::label(m, " ") +
-                           ": its textures are looked up at different places; it stays as it is");
+  if (const char* why = why_it_stays(read, m, used)) {
+    read.remarks.push_back(SceneRead::label(m, " ") + ": " + why + "; it stays as it is");
     return;
   }
   PackInput in;
@@ -196,7 +209,11 @@ void learn(SceneRead& read, std::size_t i, const Decoded& pictures) {
       entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
   const std::uint8_t* const used = masked ? entry.use->mask.data() : nullptr;
   look_at(*pair, used, in.facts.opaque, in.facts);
-  if (in.facts.reached) tell_conversion(in, m, entry, conversion_cost(m, images, *pair, read.gloss, used));
+  if (in.facts.reached) {
+    VertexColors colors;
+    for (const GltfUse* use : read.uses->of(entry.material)) colors.add(use->colors);
+    tell_conversion(in, m, entry, conversion_cost(m, images, *pair, read.gloss, used, colors));
+  }
   pictures->give_back(m);
   if (writes_floats(options.output.write)) {
     in.convert_floats = [&read, &m] { return floats_of(read, m); };

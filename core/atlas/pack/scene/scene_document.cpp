@@ -162,6 +162,10 @@ bool is_written(const SceneRead& read, const SceneRead::Entry& entry, Others oth
   return read.is_used(entry) && (others == Others::written || is_plain_metal_rough(read.material(entry)));
 }
 
+bool stays_for_its_extensions(const GltfMaterial& m, const std::vector<GltfForm>& forms) {
+  return has_form(forms, GltfForm::specular_glossiness) && m.further_extensions && !m.unlit;
+}
+
 Others others_in(const SceneRead& read, const std::vector<GltfForm>& forms) {
   const bool plain_alone = forms == std::vector{GltfForm::metal_rough};
   return read.options.output.smallest_form && plain_alone ? Others::stay : Others::written;
@@ -176,7 +180,7 @@ SceneOutput scene_output(const SceneRead& s, const SceneMaps& maps, const std::v
   for (const auto& [image, picture] : s.light)
     if (picture.texel) out.gltf.rewritten.emplace(image, picture.texel->name);
   for (std::size_t i = 0; i < s.entries.size(); ++i)
-    if (is_written(s, s.entries[i], out.others))
+    if (is_written(s, s.entries[i], out.others) && !stays_for_its_extensions(s.material(s.entries[i]), forms))
       out.gltf.materials.push_back(atlas_material(s, maps, i, forms, decision, out.images));
   out.gltf.images = out.images.names;
   return out;

@@ -39,6 +39,10 @@ struct SceneOutput {
 /// Whether the packer writes this material or leaves it as it was.
 bool is_written(const SceneRead& read, const SceneRead::Entry& entry, Others others);
 
+/// Whether a material of these forms stays as it was because KHR_materials_pbrSpecularGlossiness may not stand beside other
+/// extensions that it has.
+bool stays_for_its_extensions(const GltfMaterial& material, const std::vector<GltfForm>& forms);
+
 /// What becomes of other materials in these forms: where the smallest is asked for, they stay as they are beside
 /// plain ones in metal-rough form.
 Others others_in(const SceneRead& read, const std::vector<GltfForm>& forms);

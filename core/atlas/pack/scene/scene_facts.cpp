@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <vector>
 
+#include "core/atlas/pack/scene/scene_maps.h"
 #include "core/base/hash/content_hash.h"
 #include "core/color/srgb.h"
 #include "core/scene/gltf_convert.h"
@@ -66,7 +68,7 @@ void look_at(const PairOf<Value>& pair, const std::uint8_t* used, bool opaque, M
 template void look_at(const MaterialPair&, const std::uint8_t*, bool, MaterialFacts&);
 template void look_at(const FloatPair&, const std::uint8_t*, bool, MaterialFacts&);
 
-void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to) {
+bool scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to) {
   if (replaced_textures(m).empty()) {
     DiffuseSpecular ds;
     if (m.specular_glossiness)
@@ -101,6 +103,15 @@ void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossFor
   const MetalRough solved = metal_rough_of(texel);
   to.base_color = {solved.base[0], solved.base[1], solved.base[2], to.diffuse[3]};
   to.metallic = solved.metallic;
+  // A material of factors alone has them still.
+  if (replaced_textures(m).empty() && is_plain_metal_rough(m))
+    to.base_color = m.base_color, to.metallic = m.metallic;
+  const DiffuseSpecular back = diffuse_specular({to.base_color[0], to.base_color[1], to.base_color[2]},
+                                                to.metallic, {0.04, 0.04, 0.04});
+  const auto agree = [](double a, double b) { return std::abs(srgb_encode(a) - srgb_encode(b)) * 255 < 0.6; };
+  for (std::size_t c = 0; c < 3; ++c)
+    if (!agree(back.diffuse[c], texel.diffuse[c]) || !agree(back.f0[c], texel.f0[c])) return false;
+  return true;
 }
 
 }  // namespace etak

@@ -16,7 +16,7 @@ template <class Value>
 void look_at(const PairOf<Value>& pair, const std::uint8_t* used, bool opaque, MaterialFacts& facts);
 
 /// What a material is where it has no texture: its own factors where it never had one, else the codes of
-/// `facts`.
-void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to);
+/// `facts`. Returns whether its metal-rough form says the same as diffuse and F0, up to the rounding of codes.
+bool scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to);
 
 }  // namespace etak

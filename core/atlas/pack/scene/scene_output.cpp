@@ -9,6 +9,7 @@
 
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/scene/scene_document.h"
+#include "core/atlas/pack/scene/scene_facts.h"
 #include "core/atlas/pack/scene/scene_pictures.h"
 #include "core/atlas/pack/table.h"
 #include "core/base/files/steady_file.h"
@@ -65,7 +66,8 @@ bool is_exact(const SceneRead& read, GltfForm form, const MapsOfOthers& maps, co
   if (form != GltfForm::metal_rough)
     return (form == GltfForm::specular_ior || read.gloss != GlossForm::schueler) &&
            std::ranges::all_of(read.entries, [&](const SceneRead::Entry& entry) {
-             return entry.exact || !read.is_used(entry);
+             return entry.exact || !read.is_used(entry) ||
+                    stays_for_its_extensions(read.material(entry), {form});
            });
   const Others others = others_in(read, {form});
   const SceneMaps& of_form = maps[static_cast<std::size_t>(others)];
@@ -73,8 +75,14 @@ bool is_exact(const SceneRead& read, GltfForm form, const MapsOfOthers& maps, co
     const MaterialFate& fate = decision.left_out.fates[i];
     if (!is_written(read, read.entries[i], others)) continue;
     const auto found = of_form.find(fate.owner);
-    if (fate.texels ? found == of_form.end() || !found->second.exact
-                    : !is_plain_metal_rough(read.material(read.entries[i])))
+    if (fate.texels) {
+      if (found == of_form.end() || !found->second.exact) return false;
+      continue;
+    }
+    const GltfMaterial& m = read.material(read.entries[i]);
+    AtlasMaterial constants;
+    if (!is_plain_metal_rough(m) ||
+        !scene_constants(read.inputs.materials[i].facts, m, read.gloss, constants))
       return false;
   }
   return true;
@@ -206,6 +214,12 @@ void add_remarks(const SceneRead& read, const SceneChoice& choice, std::vector<s
       if (const GltfMaterial& m = read.material(entry); read.is_used(entry) && !is_plain_metal_rough(m))
         remarks.push_back(SceneRead::label(m, " ") +
                           ": is not of plain metal-rough form and stays as it is in scene.gltf");
+  for (const SceneRead::Entry& entry : read.entries)
+    if (const GltfMaterial& m = read.material(entry);
+        read.is_used(entry) && stays_for_its_extensions(m, choice.forms))
+      remarks.push_back(
+          SceneRead::label(m, " ") +
+          ": has extensions beside which specular-glossiness may not stand, and stays as it is in scene.gltf");
   if (!read.writes_scene())
     remarks.push_back("no scene.gltf was written: its pictures are PNG, which " + setting("textures") +
                       " does not name");
