@@ -22,6 +22,7 @@ import injections
 import interrupts
 import others
 import race_hunt
+import scenes
 from tally import Tally, table
 
 # Name, harness, share of the lane's time. Those that only look at few, long runs come last and may overrun.
@@ -38,6 +39,7 @@ HARNESSES = [
     ("clock jumps", others.clock_jumps, 3),
     ("threads", race_hunt.threads, 5),
     ("editor's threads", race_hunt.editor, 4),
+    ("random scenes", scenes.random_scenes, 8),
     ("many files", others.many_files, 4),
 ]
 
