@@ -116,21 +116,25 @@ Complex film_way_back(Complex s, real turns) {
   return way;
 }
 
-// The amplitude that a layer reflects whose upper side reflects `above` and whose lower side `below`.
-Complex film_joined(Complex above, Complex below, Complex way) {
-  Complex back = complex_product(below, way);
+// The amplitude that is seen above an interface that reflects `above`, where `back` comes back to its lower side.
+Complex film_seen(Complex above, Complex back) {
   Complex under = complex_product(above, back);
   under.re = under.re + 1;
   return complex_quotient(complex_sum(above, back), under);
 }
 
+// The amplitude that a layer reflects whose upper side reflects `above` and whose lower side `below`.
+Complex film_joined(Complex above, Complex below, Complex way) {
+  return film_seen(above, complex_product(below, way));
+}
+
 // What a layer on something reflects.
-//   interface   of the layer's upper side
+//   surface     of the layer's upper side
 //   below       what its lower side reflects
-FilmPair film_layer(FilmPair interface, FilmPair below, Complex way) {
+FilmPair film_layer(FilmPair surface, FilmPair below, Complex way) {
   FilmPair r;
-  r.s = film_joined(interface.s, below.s, way);
-  r.p = film_joined(interface.p, below.p, way);
+  r.s = film_joined(surface.s, below.s, way);
+  r.p = film_joined(surface.p, below.p, way);
   return r;
 }
 
@@ -138,4 +142,41 @@ FilmPair film_layer(FilmPair interface, FilmPair below, Complex way) {
 //   a, b   N of the media above and below
 Complex film_interface_ahead(Complex a, Complex b) {
   return complex_quotient(complex_difference(a, b), complex_sum(a, b));
+}
+
+// A stack from the base up, a layer at a time: film_mean(film_over(film_on(n0, c, n, k), n0, c, n1, k1, turns1), n0, c) is
+// the reflectance of one layer on a base, and so on for any number.
+//   top    the wave in the outermost medium so far
+//   back   the amplitude that comes back to its upper side from below; 0 in the base
+struct FilmStack {
+  FilmWave top;
+  FilmPair back;
+};
+
+// The base.
+FilmStack film_on(real n0, real c, real n, real k) {
+  FilmStack stack;
+  stack.top = film_wave(n0, c, n, k);
+  stack.back.s.re = 0;
+  stack.back.s.im = 0;
+  stack.back.p = stack.back.s;
+  return stack;
+}
+
+// A layer on what is there.
+//   turns   2 pi times the layer's thickness over the wavelength in vacuum
+FilmStack film_over(FilmStack under, real n0, real c, real n, real k, real turns) {
+  FilmStack stack;
+  stack.top = film_wave(n0, c, n, k);
+  FilmPair surface = film_interface(stack.top, under.top);
+  Complex way = film_way_back(stack.top.s, turns);
+  stack.back.s = complex_product(film_seen(surface.s, under.back.s), way);
+  stack.back.p = complex_product(film_seen(surface.p, under.back.p), way);
+  return stack;
+}
+
+// The unpolarised reflectance under the outside medium.
+real film_mean(FilmStack stack, real n0, real c) {
+  FilmPair surface = film_interface(film_wave(n0, c, n0, real(0)), stack.top);
+  return (complex_square(film_seen(surface.s, stack.back.s)) + complex_square(film_seen(surface.p, stack.back.p))) / 2;
 }

@@ -19,6 +19,10 @@ namespace in_double {
 
 #include "core/brdf/textbook.glsl"
 
+#include "core/film/texts.h"
+
+#include "core/film/textbook.glsl"
+
 #include "core/light/texts.h"
 
 #define ETAK_STABILITY(id, title, input, naive, ours, expected, most64, most32, source) \
@@ -39,6 +43,10 @@ namespace in_single {
 #include "core/brdf/texts.h"
 
 #include "core/brdf/textbook.glsl"
+
+#include "core/film/texts.h"
+
+#include "core/film/textbook.glsl"
 
 #include "core/light/texts.h"
 
