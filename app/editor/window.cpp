@@ -209,10 +209,13 @@ void Window::connect_panels() {
     document_.add({material}, {}, tr("new material"));
   });
   connect(project_panel_, &ProjectPanel::copy_asked, this, [this] {
-    if (document_.material() != nullptr) document_.add({*document_.material()}, {}, tr("duplicate"));
+    std::vector<ProjectMaterial> copies;
+    for (const int row : project_panel_->in_hand())
+      copies.push_back(document_.project().materials[static_cast<std::size_t>(row)]);
+    document_.add(std::move(copies), {}, tr("duplicate"));
   });
   connect(project_panel_, &ProjectPanel::remove_asked, this,
-          [this] { document_.remove(document_.current()); });
+          [this] { document_.remove(project_panel_->in_hand()); });
   connect(project_panel_, &ProjectPanel::picked, this, &Window::end_preview);
   connect(findings_, &FindingsPanel::go_to, this, &Window::go_to_finding);
   connect(inspector_, &Inspector::told, this, &Window::tell);

@@ -94,10 +94,10 @@ void Window::make_edit_menu() {
   menu->addSeparator();
   action(menu, tr("&New material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
          [this] { emit project_panel_->new_asked(); });
-  action(menu, tr("&Duplicate material"), QKeySequence(Qt::CTRL | Qt::Key_D),
+  action(menu, tr("&Duplicate materials"), QKeySequence(Qt::CTRL | Qt::Key_D),
          [this] { emit project_panel_->copy_asked(); });
   // The key Del works in the project panel only, because text fields need it wherever they have the focus.
-  auto* remove = action(menu, tr("Re&move material"), QKeySequence::Delete,
+  auto* remove = action(menu, tr("Re&move materials"), QKeySequence::Delete,
                         [this] { emit project_panel_->remove_asked(); });
   remove->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   project_panel_->addAction(remove);

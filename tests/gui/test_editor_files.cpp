@@ -81,7 +81,7 @@ class EditorFiles : public QObject {
     window->show();
     // No user can write there, not even root.
     window->document().mark_saved(QStringLiteral("/proc/project.json"));
-    window->document().remove(0);
+    window->document().remove({0});
     answer(QMessageBox::Save);
     QVERIFY(!window->close());
     QVERIFY(shown_message(window).contains(QLatin1String("not saved")));

@@ -414,6 +414,88 @@ class EditorHands : public QObject {
     QCOMPARE(window->document().material()->name, std::string("Gold"));
   }
 
+  void the_selection_never_grows_by_itself() {
+    TestWindow window(true);
+    show_active(window);
+    QListView& list = window->project_panel().list();
+    list.setFocus();
+    for (std::size_t count = 1; count <= 4; ++count) {
+      QTest::keyClick(window.window.get(), Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+      QCOMPARE(window->document().project().materials.size(), count);
+      QCOMPARE(window->project_panel().selected(), std::vector<int>{static_cast<int>(count) - 1});
+    }
+    QTest::keyClick(window.window.get(), Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(window->project_panel().selected(), std::vector<int>{4});
+  }
+
+  void del_copy_and_edits_act_on_what_is_marked() {
+    TestWindow window(true);
+    for (const char* id : {"gold", "copper", "silver", "brick", "water"})
+      QVERIFY(window->use_library_material(QLatin1String(id)));
+    show_active(window);
+    const Project before = window->document().project();
+    QListView& list = window->project_panel().list();
+    const auto* note = named<QLabel>(window->project_panel(), QStringLiteral("Marked materials"));
+    QVERIFY(note != nullptr);
+    const auto mark_three = [&] {
+      click_row(list, list.model()->index(0, 0));
+      QVERIFY(!note->isVisible());
+      click_row(list, list.model()->index(3, 0), Qt::ControlModifier);
+      click_row(list, list.model()->index(1, 0), Qt::ControlModifier);
+      QCOMPARE(window->project_panel().selected(), (std::vector<int>{0, 1, 3}));
+      QVERIFY(note->isVisible() && note->text().startsWith(QLatin1String("3 marked")));
+    };
+    mark_three();
+    list.setFocus();
+    QTest::keyClick(&list, Qt::Key_Delete);
+    QCOMPARE(window->document().project().materials,
+             (std::vector<ProjectMaterial>{before.materials[2], before.materials[4]}));
+    QVERIFY(window->document().current() >= 0 && window->document().current() < 2);
+    QTest::keyClick(&list, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->document().project() == before);
+
+    mark_three();
+    QTest::keyClick(&list, Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(window->document().project().materials.size(), std::size_t{8});
+    QVERIFY(window->document().project().materials[7].measured == before.materials[3].measured);
+    QTest::keyClick(&list, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->document().project() == before);
+
+    mark_three();
+    FineSpinBox& gloss = window->inspector().gloss().box();
+    gloss.setFocus();
+    gloss.selectAll();
+    QTest::keyClicks(&gloss, QStringLiteral("0.42"));
+    QTest::keyClick(&gloss, Qt::Key_Return);
+    for (const std::size_t row : {0u, 1u, 3u})
+      QCOMPARE(double{window->document().project().materials[row].gloss}, 0.42);
+    QCOMPARE(window->project_panel().selected(), (std::vector<int>{0, 1, 3}));
+    for (const std::size_t row : {2u, 4u})
+      QVERIFY(window->document().project().materials[row] == before.materials[row]);
+    // Each gets its own measurement back, not that of the material that is shown.
+    auto* red = named<FineSpinBox>(window->inspector(), QStringLiteral("Specular, red, linear"));
+    red->setFocus();
+    red->selectAll();
+    QTest::keyClicks(red, QStringLiteral("0.6"));
+    QTest::keyClick(red, Qt::Key_Return);
+    QVERIFY(!window->document().project().materials[0].measured);
+    QTest::mouseClick(named<QToolButton>(window->inspector(), QStringLiteral("Reset Specular")),
+                      Qt::LeftButton);
+    for (const std::size_t row : {0u, 1u})
+      QVERIFY(window->document().project().materials[row].specular == before.materials[row].specular);
+    for (int i = 0; i < 3; ++i) QTest::keyClick(&list, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->document().project() == before);
+    // A drag of the slider over three materials is one step of undo.
+    mark_three();
+    const int steps = steps_of(window);
+    FieldSlider& slider = window->inspector().gloss().slider();
+    drag(slider, QPoint(slider.width() / 2, slider.height() / 2),
+         QPoint(slider.width() / 4, slider.height() / 2));
+    QCOMPARE(steps_of(window), steps + 1);
+    QCOMPARE(double{window->document().project().materials[0].gloss},
+             double{window->document().project().materials[3].gloss});
+  }
+
   void a_name_is_edited_by_f2_or_a_double_click_only() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));

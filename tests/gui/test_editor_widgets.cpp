@@ -379,7 +379,7 @@ class EditorWidgets : public QObject {
     ProjectMaterial m = *document.material();
     m.gloss = 0.1;
     document.edit(document.current(), m, QStringLiteral("gloss"), 1);
-    document.remove(0);
+    document.remove({0});
     ProjectView view = document.project().view;
     view.exposure = 2;
     document.edit_view(view, QStringLiteral("exposure"), 2);

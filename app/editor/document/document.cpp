@@ -37,7 +37,9 @@ class Edit : public QUndoCommand {
         place_and_press_(place_and_press) {}
   void redo() override { put_(after_); }
   void undo() override { put_(before_); }
-  int id() const override { return std::is_same_v<Value, ProjectView> ? 1 : 2; }
+  int id() const override {
+    return std::is_same_v<Value, ProjectView> ? 1 : std::is_same_v<Value, ProjectMaterial> ? 2 : 3;
+  }
   bool mergeWith(const QUndoCommand* other) override {
     const auto* next = static_cast<const Edit*>(other);
     if (next->place_and_press_ != place_and_press_ || next->text() != text()) return false;
@@ -116,9 +118,25 @@ void Document::edit_view(const ProjectView& to, const QString& what, int press_i
 void Document::change_material(const QString& what, int press_id,
                                const std::function<void(ProjectMaterial&)>& change) {
   if (material() == nullptr) return;
-  ProjectMaterial next = *material();
-  change(next);
-  edit(current_, next, what, press_id);
+  using Rows = std::vector<std::pair<int, ProjectMaterial>>;
+  Rows before;
+  if (std::ranges::find(marked_, current_) != marked_.end())
+    for (const int row : marked_)
+      if (row < static_cast<int>(project_.materials.size()))
+        before.emplace_back(row, project_.materials[static_cast<std::size_t>(row)]);
+  if (before.size() < 2) {
+    ProjectMaterial next = *material();
+    change(next);
+    return edit(current_, next, what, press_id);
+  }
+  Rows after = before;
+  for (auto& [row, each] : after) change(each);
+  if (after == before) return;
+  const auto put_all = [this, at = current_](const Rows& rows) {
+    for (const auto& [row, each] : rows) put(row, each);
+    set_current(at);
+  };
+  undo_.push(new Edit<Rows>(what, before, after, put_all, {current_, press_id}));
 }
 
 void Document::change_view(const QString& what, int press_id,
@@ -161,14 +179,20 @@ void Document::add(std::vector<ProjectMaterial> materials, const std::vector<Mat
       }));
 }
 
-void Document::remove(int index) {
-  if (index < 0 || index >= static_cast<int>(project_.materials.size())) return;
-  const ProjectMaterial material = project_.materials[static_cast<std::size_t>(index)];
+void Document::remove(const std::vector<int>& rows) {
+  if (rows.empty() || rows.front() < 0 || rows.back() >= static_cast<int>(project_.materials.size())) return;
+  std::vector<ProjectMaterial> gone;
+  for (const int row : rows) gone.push_back(project_.materials[static_cast<std::size_t>(row)]);
+  const QString what = rows.size() > 1 ? tr("remove %1 materials").arg(rows.size())
+                                       : tr("remove %1").arg(QString::fromStdString(gone.front().name));
   undo_.push(new Step(
-      tr("remove %1").arg(QString::fromStdString(material.name)), [this, index] { take_out(index, 1); },
-      [this, index, material] {
-        insert(index, {material});
-        set_current(index);
+      what,
+      [this, rows] {
+        for (auto row = rows.rbegin(); row != rows.rend(); ++row) take_out(*row, 1);
+      },
+      [this, rows, gone] {
+        for (std::size_t i = 0; i < rows.size(); ++i) insert(rows[i], {gone[i]});
+        set_current(rows.front());
       }));
 }
 

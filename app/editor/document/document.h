@@ -39,14 +39,18 @@ class Document : public QObject {
   ///   what   what the step of undo is called
   void edit(int index, const ProjectMaterial& to, const QString& what, int press_id);
   void edit_view(const ProjectView& to, const QString& what, int press_id);
-  /// Changes the current material, where there is one, and the view.
+  /// The rows of the materials that are marked in the list of the project.
+  void mark(std::vector<int> rows) { marked_ = std::move(rows); }
+  /// Changes the current material, where there is one, and the other marked ones where it is marked itself, in
+  /// one step of undo; and the view.
   void change_material(const QString& what, int press_id,
                        const std::function<void(ProjectMaterial&)>& change);
   void change_view(const QString& what, int press_id, const std::function<void(ProjectView&)>& change);
   /// Adds materials behind the others, with unique names, and makes the first of them the current material.
   ///   spectra   measured records for the project's own library
   void add(std::vector<ProjectMaterial> materials, const std::vector<Material>& spectra, const QString& what);
-  void remove(int index);
+  /// Removes the materials of these rows, in ascending order, in one step of undo.
+  void remove(const std::vector<int>& rows);
   /// Gives a material a name, with a number where another has it.
   void rename(int index, const std::string& name);
 
@@ -91,6 +95,7 @@ class Document : public QObject {
   Project project_;
   QUndoStack undo_;
   QString path_;
+  std::vector<int> marked_;
   int current_ = -1, revision_ = 0, generation_ = 0;
   bool recovered_ = false;
   std::map<std::string, MeasuredF0> let_go_;  // by the name of the material; see let_go()

@@ -178,14 +178,11 @@ void Inspector::reset_gloss(const QString& what) {
 
 // Sets a colour that is or was measured to the measurement, and any other to the standard of the field.
 void Inspector::reset_color(ColorField& field, LinearRgb ProjectMaterial::*member, const QString& what) {
-  const ProjectMaterial* m = document_.material();
-  if (m == nullptr) return;
-  const std::optional<MeasuredF0> measured = m->measured ? m->measured : document_.let_go(m->name);
-  const bool of_diffuse = measures_diffuse(measured, *document_.library());
-  const bool is_measured = measured && of_diffuse == (&field == diffuse_);
   try {
     edit(what, next_press_id(), [&](ProjectMaterial& next) {
-      if (is_measured)
+      const std::optional<MeasuredF0> measured = next.measured ? next.measured : document_.let_go(next.name);
+      const bool of_diffuse = measures_diffuse(measured, *document_.library());
+      if (measured && of_diffuse == (&field == diffuse_))
         next.measured = measured;
       else
         next.*member = field.standard();

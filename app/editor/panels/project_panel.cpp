@@ -3,6 +3,7 @@
 
 #include <QIcon>
 #include <QItemSelectionModel>
+#include <QLabel>
 #include <QListView>
 #include <QSignalBlocker>
 #include <algorithm>
@@ -111,34 +112,52 @@ Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {
 }
 
 ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* parent)
-    : QWidget(parent), document_(document), model_(document, thumbnails), list_(new QListView(this)) {
+    : QWidget(parent),
+      document_(document),
+      model_(document, thumbnails),
+      list_(new QListView(this)),
+      marked_(quiet_label(tr("Marked materials"), this)) {
   setAccessibleName(tr("Project"));
   auto* column = panel_column(this, 4);
+  // While rows go, the list chooses a row by itself; the document knows which one is the current one then.
+  // Connected before the list is, so that the list's choice finds the flag.
+  connect(&model_, &ProjectModel::rowsAboutToBeRemoved, this, [this] { showing_ = true; });
+  connect(&model_, &ProjectModel::rowsRemoved, this, [this] {
+    showing_ = false;
+    show_marked();
+  });
   list_->setModel(&model_);
   list_->setIconSize({row_side, row_side});
   list_->setUniformItemSizes(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-  // Several materials can be selected, to export them together.
+  // Several materials can be marked, to edit, copy, remove or export them together.
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list_->setAccessibleName(tr("Materials of the project"));
   column->addWidget(list_, 1);
+  column->addWidget(marked_);
   auto* row = new QHBoxLayout;
   column->addLayout(row);
   const auto button = [&](const QString& text, const QString& tip, void (ProjectPanel::*signal)()) {
     connect(add_button(*row, text, tip), &QToolButton::clicked, this, signal);
   };
   button(tr("New"), tr("New material (Ctrl+Shift+N)"), &ProjectPanel::new_asked);
-  button(tr("Copy"), tr("Duplicate material (Ctrl+D)"), &ProjectPanel::copy_asked);
-  button(tr("Remove"), tr("Remove material (Del)"), &ProjectPanel::remove_asked);
+  button(tr("Copy"), tr("Duplicate the marked materials (Ctrl+D)"), &ProjectPanel::copy_asked);
+  button(tr("Remove"), tr("Remove the marked materials (Del)"), &ProjectPanel::remove_asked);
   row->addStretch(1);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& now) {
-            if (!showing_ && now.isValid()) document_.set_current(now.row());
+            if (showing_ || !now.isValid()) return;
+            showing_ = true;  // the list decides which rows are marked beside it
+            document_.set_current(now.row());
+            showing_ = false;
+            show_marked();
           });
+  connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ProjectPanel::show_marked);
   connect(list_, &QListView::clicked, this, &ProjectPanel::picked);
   connect(&document, &Document::current_changed, this, &ProjectPanel::show_current);
   connect(&document, &Document::replaced, this, &ProjectPanel::show_current);
   connect(&document, &Document::materials_added, this, &ProjectPanel::show_current);
+  show_marked();
 }
 
 std::vector<int> ProjectPanel::selected() const {
@@ -148,12 +167,32 @@ std::vector<int> ProjectPanel::selected() const {
   return out;
 }
 
+std::vector<int> ProjectPanel::in_hand() const {
+  std::vector<int> out = selected();
+  if (out.empty() && document_.current() >= 0) out.push_back(document_.current());
+  return out;
+}
+
 void ProjectPanel::show_current() {
+  const QModelIndex now = model_.index(document_.current(), 0);
+  QItemSelectionModel* selection = list_->selectionModel();
   // Where the row is the current one already, the other selected rows stay selected.
-  if (list_->currentIndex().row() == document_.current()) return;
+  if (showing_ || (list_->currentIndex() == now && (!now.isValid() || selection->isSelected(now))))
+    return show_marked();
   showing_ = true;
-  list_->setCurrentIndex(model_.index(document_.current(), 0));
+  // The view's own setCurrentIndex() would add to the selection while Ctrl or Shift is held.
+  selection->setCurrentIndex(now, QItemSelectionModel::ClearAndSelect);
   showing_ = false;
+  list_->scrollTo(now);
+  show_marked();
+}
+
+// Rows that were inserted or removed have changed the numbers of the marked ones, so they are told each time.
+void ProjectPanel::show_marked() {
+  const std::vector<int> rows = selected();
+  document_.mark(rows);
+  marked_->setVisible(rows.size() > 1);
+  marked_->setText(tr("%1 marked: edits, Copy and Remove act on all of them").arg(rows.size()));
 }
 
 }  // namespace etak::editor

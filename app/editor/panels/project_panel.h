@@ -7,6 +7,7 @@
 #include "app/editor/document/document.h"
 #include "app/editor/document/thumbnails.h"
 
+class QLabel;
 class QListView;
 
 namespace etak::editor {
@@ -28,7 +29,8 @@ class ProjectModel : public QAbstractListModel {
   Thumbnails& thumbnails_;
 };
 
-/// The list of the project's materials: the user selects one, renames it (F2), adds, copies or removes one.
+/// The list of the project's materials: the user selects one, renames it (F2), adds one, and copies or removes
+/// those that are marked.
 class ProjectPanel : public QWidget {
   Q_OBJECT
 
@@ -36,6 +38,7 @@ class ProjectPanel : public QWidget {
   ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* parent = nullptr);
   QListView& list() { return *list_; }
   std::vector<int> selected() const;  // the selected rows in ascending order
+  std::vector<int> in_hand() const;   // the selected rows, or the current one where none is selected
 
  signals:
   void new_asked();
@@ -45,9 +48,11 @@ class ProjectPanel : public QWidget {
 
  private:
   void show_current();
+  void show_marked();
   Document& document_;
   ProjectModel model_;
   QListView* list_;
+  QLabel* marked_;  // what is said where several materials are marked
   bool showing_ = false;
 };
 
