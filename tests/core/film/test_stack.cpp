@@ -110,6 +110,27 @@ TEST_CASE("reflectances and transmittances of films are those of 60 digits") {
   }
 }
 
+// What two other programs give: tmm 0.2.0 (S. J. Byrnes), for the inputs of its own tests and examples and for two panes, and
+// colour-science 0.4.7, the one value that its documentation prints. Numbers alone; no code of them.
+TEST_CASE("films are those of two independent programs, to the digits that they print") {
+  const auto rows = read_csv(source_folder() + "/tests/data/films_of_others.csv");
+  REQUIRE(rows.size() == 11);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto& row = rows[i];
+    INFO(row[0] << ' ' << row[2]);
+    Film film{value_of(row[3]), {}, {value_of(row[5]), value_of(row[6])}};
+    for (const std::string& layer : parts_of(row[4], ' ')) {
+      const auto parts = parts_of(layer, ':');
+      film.layers.push_back(
+          {{value_of(parts[0]), value_of(parts[1])}, value_of(parts[2]), parts.size() == 3});
+    }
+    const FilmLight light = film_light(film, value_of(row[7]), value_of(row[8]));
+    const double most = row[0] == "tmm" ? 1e-13 : 1e-7;
+    near(light.reflected.s, value_of(row[9]), most);
+    near(light.reflected.p, value_of(row[10]), most);
+  }
+}
+
 TEST_CASE("in single precision films of a micrometre in all are within 1e-4") {
   std::size_t compared = 0;
   double most = 0;
