@@ -300,7 +300,47 @@ class EditorHands : public QObject {
     auto* fold =
         named<QToolButton>(inspector, QStringLiteral("Show or hide what is to be said of the measurement"));
     fold->click();
-    QVERIFY(!outside->isVisible() && named<QComboBox>(inspector, QStringLiteral("Dataset"))->isVisible());
+    QVERIFY(!outside->isVisible() &&
+            named<QComboBox>(inspector, QStringLiteral("Use measured F0 of"))->isVisible());
+  }
+
+  void a_field_that_a_texture_replaces_says_so_and_is_off() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    ProjectMaterial m = *window->document().material();
+    m.alpha_mode = AlphaMode::blend;
+    window->document().edit(0, m, QStringLiteral("mode"), next_press_id());
+    show_active(window);
+    Inspector& inspector = window->inspector();
+    const auto label = [&](const QWidget* field) {
+      for (const QLabel* each : inspector.findChildren<QLabel*>())
+        if (each->buddy() == field) return each->text();
+      return QString();
+    };
+    const std::vector<std::tuple<Channel, QWidget*, QString>> fields{
+        {Channel::specular, &inspector.specular(), QStringLiteral("Specular (F0)")},
+        {Channel::diffuse, &inspector.diffuse(), QStringLiteral("Diffuse")},
+        {Channel::gloss, &inspector.gloss(), QStringLiteral("Gloss")},
+        {Channel::gloss, &inspector.roughness(), QStringLiteral("Roughness")},
+        {Channel::alpha, &inspector.alpha(), QStringLiteral("Alpha opacity")}};
+    const auto is_marked = [&](Channel textured) {
+      for (const auto& [channel, field, name] : fields) {
+        const bool off = channel == textured;
+        if (field->isEnabled() == off || label(field) != (off ? name + QStringLiteral(": texture") : name))
+          return false;
+      }
+      return true;
+    };
+    QVERIFY(is_marked(Channel::occlusion));
+    for (const Channel each : {Channel::specular, Channel::diffuse, Channel::gloss, Channel::alpha}) {
+      put_texture(window, each, grey_picture(window, QStringLiteral("wood.png")));
+      QVERIFY(is_marked(each));
+      window->document().undo_stack().undo();
+    }
+    // Emission and occlusion are multiplied by their textures.
+    put_texture(window, Channel::occlusion, grey_picture(window, QStringLiteral("wood.png")));
+    QVERIFY(is_marked(Channel::occlusion));
+    QVERIFY(named<FineSpinBox>(inspector, QStringLiteral("Occlusion"))->isEnabled());
   }
 
   void reset_of_gloss_and_roughness_goes_to_what_the_record_has() {

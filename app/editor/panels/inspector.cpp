@@ -26,6 +26,11 @@ bool measures_diffuse(const std::optional<MeasuredF0>& measured, const MaterialL
   return found && !gives_f0(found->material_class);
 }
 
+// For the fields of numbers that a texture replaces.
+auto has_no_texture(Channel channel) {
+  return [channel](const ProjectMaterial& m) { return !m.texture(channel); };
+}
+
 QString lobe_text(const Gloss& gloss) {
   const QString exponent = std::isfinite(gloss.exponent()) ? qt_text(number(gloss.exponent(), 4)) : "\u221e";
   return QObject::tr("exponent %1   alpha roughness %2").arg(exponent, qt_text(number(gloss.alpha(), 3))) +
@@ -53,6 +58,10 @@ Inspector::Inspector(Document& document, QWidget* parent)
   // Its texts have another height for each material: what is edited most stands above them.
   column().addWidget(source_);
   make_rest();
+  mark_textured(*numbers_, *specular_, Channel::specular);
+  mark_textured(*numbers_, *diffuse_, Channel::diffuse);
+  for (NumberField* each : {gloss_, roughness_}) mark_textured(*numbers_, *each, Channel::gloss);
+  mark_textured(*rest_, *alpha_, Channel::alpha);
   column().addWidget(model_);
   column().addWidget(textures_);
   column().addStretch(1);
@@ -83,23 +92,27 @@ Inspector::Inspector(Document& document, QWidget* parent)
 void Inspector::make_numbers() {
   numbers_ = &add_section(tr("Surface"));
   fields_.in(*numbers_);
-  specular_ = fields_.color(
-      {tr("Specular"), tr("Specular (F0)"), tr("F0: what the surface reflects at normal incidence"),
-       tr("specular colour")},
-      {0.04, 0.04, 0.04},
-      Computed{std::mem_fn(&ProjectMaterial::specular), [this](ProjectMaterial& m, const LinearRgb& color) {
-                 // A typed colour replaces the measurement, unless that measures the diffuse colour.
-                 if (!measures_diffuse(m.measured, *document_.library())) m.measured.reset();
-                 m.specular = color;
-                 // The record measures the total reflectance: the body reflects what the surface does not.
-                 if (m.measured) m = with_measured(std::move(m), *document_.library());
-               }});
-  diffuse_ = fields_.color(
-      {tr("Diffuse"), "", tr("What the body scatters back"), tr("diffuse colour")}, {0, 0, 0},
-      Computed{std::mem_fn(&ProjectMaterial::diffuse), [this](ProjectMaterial& m, const LinearRgb& color) {
-                 if (measures_diffuse(m.measured, *document_.library())) m.measured.reset();
-                 m.diffuse = color;
-               }});
+  specular_ = fields_.color({tr("Specular"), tr("Specular (F0)"),
+                             tr("F0: what the surface reflects at normal incidence"), tr("specular colour")},
+                            {0.04, 0.04, 0.04},
+                            Computed{std::mem_fn(&ProjectMaterial::specular),
+                                     [this](ProjectMaterial& m, const LinearRgb& color) {
+                                       // A typed colour replaces the measurement, unless that measures the diffuse colour.
+                                       if (!measures_diffuse(m.measured, *document_.library()))
+                                         m.measured.reset();
+                                       m.specular = color;
+                                       // The record measures the total reflectance: the body reflects what the surface does not.
+                                       if (m.measured) m = with_measured(std::move(m), *document_.library());
+                                     }},
+                            has_no_texture(Channel::specular));
+  diffuse_ =
+      fields_.color({tr("Diffuse"), "", tr("What the body scatters back"), tr("diffuse colour")}, {0, 0, 0},
+                    Computed{std::mem_fn(&ProjectMaterial::diffuse),
+                             [this](ProjectMaterial& m, const LinearRgb& color) {
+                               if (measures_diffuse(m.measured, *document_.library())) m.measured.reset();
+                               m.diffuse = color;
+                             }},
+                    has_no_texture(Channel::diffuse));
   for (ColorField* each : {specular_, diffuse_}) {
     each->leave_reset_to_owner();
     each->keep_place_of_badge();
@@ -111,13 +124,14 @@ void Inspector::make_numbers() {
   gloss_ = fields_.number(
       {tr("Gloss"), "",
        tr("Sch\u00fcler's gloss g: exponent 2^(12 g), \u03b1 = \u221a(2 / (exponent + 2)), roughness \u221a\u03b1: 0.904 for gloss 0 to 0.149 for gloss 1")},
-      {0, 1, 0.75}, &ProjectMaterial::gloss);
+      {0, 1, 0.75}, &ProjectMaterial::gloss, has_no_texture(Channel::gloss));
   roughness_ = fields_.number(
       {tr("Roughness"), "",
        tr("Perceptual roughness r, in place of gloss: \u03b1 = r\u00b2, gloss log2(2 / r\u2074 \u2212 2) / 12. Below 0.149 and above 0.904 there is no gloss: what takes one gets the nearest")},
       {0, 1, roughness_of_gloss(0.75)},
       Computed{[](const ProjectMaterial& m) { return m.gloss.roughness(); },
-               [](ProjectMaterial& m, double roughness) { m.gloss = Gloss::of_roughness(roughness); }});
+               [](ProjectMaterial& m, double roughness) { m.gloss = Gloss::of_roughness(roughness); }},
+      has_no_texture(Channel::gloss));
   for (NumberField* each : {gloss_, roughness_}) {
     each->leave_reset_to_owner();
     const QString what = each == gloss_ ? tr("gloss") : tr("roughness");
@@ -139,8 +153,9 @@ void Inspector::make_rest() {
       {tr("Alpha opacity"), "",
        tr("How much of what lies behind is covered: 0 nothing, 1 all; only in the modes mask and blend"),
        tr("alpha")},
-      {0, 1, 1}, &ProjectMaterial::alpha,
-      [](const ProjectMaterial& m) { return m.alpha_mode != AlphaMode::opaque; });
+      {0, 1, 1}, &ProjectMaterial::alpha, [](const ProjectMaterial& m) {
+        return m.alpha_mode != AlphaMode::opaque && !m.texture(Channel::alpha);
+      });
   fields_.choice(
       {tr("Alpha mode"), "",
        tr("opaque: alpha opacity is not looked at; mask: drawn or not, by the cutoff; blend: mixed with what lies behind")},
@@ -154,6 +169,19 @@ void Inspector::make_rest() {
   fields_.number(
       {tr("Occlusion"), "", tr("Share of the light of environment and hemispheres that reaches the surface")},
       {0, 1, 1}, &ProjectMaterial::occlusion);
+}
+
+// The name of a field whose number a texture replaces says so; the field is off.
+void Inspector::mark_textured(Section& section, QWidget& field, Channel channel) {
+  QLabel* label = section.label_of(field);
+  const QString name = label->text(), tip = label->toolTip();
+  fields_.shows({}, {}, [=](const ProjectMaterial& m) {
+    const auto& texture = m.texture(channel);
+    label->setText(texture ? tr("%1: texture").arg(name) : name);
+    label->setToolTip(
+        texture ? tr("Each texel of %1 stands in the place of this number").arg(qt_text(texture->path))
+                : tip);
+  });
 }
 
 void Inspector::edit(const QString& what, int press, const std::function<void(ProjectMaterial&)>& change) {

@@ -43,6 +43,7 @@ class Inspector : public PanelScroll {
   void show_material();
   void make_numbers();
   void make_rest();
+  void mark_textured(Section& section, QWidget& field, Channel channel);
   void edit(const QString& what, int press, const std::function<void(ProjectMaterial&)>& change);
   Gloss standard_gloss() const;
   void reset_gloss(const QString& what);

@@ -37,13 +37,18 @@ QLabel* Section::label_for(const QString& name, QWidget* field, const QString& t
   if (field->accessibleName().isEmpty()) field->setAccessibleName(name);
   auto* out = new QLabel(name, this);
   out->setToolTip(field->toolTip());
+  out->setBuddy(field);
   return out;
 }
 
+QLabel* Section::label_of(const QWidget& field) const {
+  for (QLabel* each : findChildren<QLabel*>(Qt::FindDirectChildrenOnly))
+    if (each->buddy() == &field) return each;
+  return nullptr;
+}
+
 void Section::add(const QString& name, QWidget* field, const QString& tip) {
-  auto* label = label_for(name, field, tip);
-  label->setBuddy(field);
-  rows_->addRow(label, field);
+  rows_->addRow(label_for(name, field, tip), field);
 }
 
 void Section::add(QWidget* wide) {

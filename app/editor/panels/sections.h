@@ -37,6 +37,8 @@ class Section : public QGroupBox {
   /// Adds a wide field below its name.
   void add_below(const QString& name, QWidget* field, const QString& tip);
   QFormLayout& rows() { return *rows_; }
+  /// The label of a field that was added with a name; null: there is none.
+  QLabel* label_of(const QWidget& field) const;
 
  private:
   QLabel* label_for(const QString& name, QWidget* field, const QString& tip);

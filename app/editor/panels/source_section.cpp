@@ -87,29 +87,40 @@ SourceSection::SourceSection(Document& document, QWidget* parent)
     illuminant_->addItem(qt_text(name(each)));
   for (const Observer each : {Observer::cie1931_2deg, Observer::cie1964_10deg})
     observer_->addItem(qt_text(name(each)));
-  auto* line = new QWidget(this);
-  auto* in_line = new QHBoxLayout(line);
-  in_line->setContentsMargins(0, 0, 0, 0);
-  in_line->setSpacing(4);
-  in_line->addWidget(material_, 1);
-  in_line->addWidget(dataset_, 1);
-  unfold_ = add_button(*in_line, tr("i"), tr("Show or hide what is to be said of the measurement"));
-  unfold_->setCheckable(true);
-  unfold_->setChecked(true);
-  connect(unfold_, &QToolButton::toggled, this, &SourceSection::show_rows);
-  line->setAccessibleName(tr("Record and dataset"));
-  add(tr("Use"), line, tr("The record whose spectra give the colours; empty: the colours are typed numbers"));
-  material_->setToolTip(line->toolTip());
-  add(spread_);
-  add(tr("Outside"), outside_, tr("A transparent material of the library, or an index such as 1.33"));
-  add(tr("Illum."), illuminant_, tr("The light under which the spectrum becomes a colour"));
-  add(tr("Observer"), observer_, tr("The CIE colour matching functions that make the spectrum a colour"));
-  add(result_);
-  add(body_);
-  add(citation_);
+  make_rows();
   set_library();
   for (const QuietComboBox* each : {material_, dataset_, outside_, illuminant_, observer_})
     connect(each, &QComboBox::activated, this, &SourceSection::take);
+}
+
+void SourceSection::make_rows() {
+  const auto beside = [this](const QString& name, std::initializer_list<QWidget*> fields) {
+    auto* out = new QWidget(this);
+    out->setAccessibleName(name);
+    auto* line = new QHBoxLayout(out);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(4);
+    for (QWidget* each : fields) line->addWidget(each, 1);
+    return line;
+  };
+  QHBoxLayout* use = beside(tr("Record"), {material_});
+  unfold_ = add_button(*use, tr("i"), tr("Show or hide what is to be said of the measurement"));
+  unfold_->setCheckable(true);
+  unfold_->setChecked(true);
+  connect(unfold_, &QToolButton::toggled, this, &SourceSection::show_rows);
+  const QString tip = tr("The record whose spectra give the colours; empty: the colours are typed numbers");
+  material_->setToolTip(tip);
+  add(tr("Use"), use->parentWidget(), tip);
+  add(tr("Dataset"), dataset_, tr("Which measurement of the record is used"));
+  add(spread_);
+  add(tr("Outside"), outside_, tr("A transparent material of the library, or an index such as 1.33"));
+  illuminant_->setToolTip(tr("The light under which the spectrum becomes a colour"));
+  observer_->setToolTip(tr("The CIE colour matching functions that make the spectrum a colour"));
+  viewing_ = beside(tr("Illuminant and observer"), {illuminant_, observer_})->parentWidget();
+  add(tr("Viewing"), viewing_, tr("Illuminant and observer, for which the spectrum becomes a colour"));
+  add(result_);
+  add(body_);
+  add(citation_);
 }
 
 void SourceSection::set_library() {
@@ -148,8 +159,6 @@ void SourceSection::show_material(const ProjectMaterial* m, bool editable) {
   observer_->setCurrentText(qt_text(name(measured.viewing.observer)));
   material_->setEnabled(editable);
   for (QuietComboBox* each : {dataset_, outside_, illuminant_, observer_}) each->setEnabled(on && editable);
-  dataset_->setToolTip(on ? tr("Which measurement of the record is used: %1").arg(dataset_->currentText())
-                          : tr("Which measurement of the record is used"));
   showing_ = false;
   shown_ = m != nullptr ? m->measured : std::nullopt;
   show_rows();
@@ -161,7 +170,7 @@ void SourceSection::show_rows() {
   const bool on = shown_.has_value() && unfold_->isChecked();
   unfold_->setEnabled(shown_.has_value());
   for (QWidget* each :
-       std::initializer_list<QWidget*>{spread_, outside_, illuminant_, observer_, result_, citation_})
+       std::initializer_list<QWidget*>{dataset_, spread_, outside_, viewing_, result_, citation_})
     rows().setRowVisible(each, on);
   rows().setRowVisible(body_, on && (!body_->text().isEmpty() || body_->minimumHeight() > 0));
 }

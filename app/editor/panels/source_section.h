@@ -12,8 +12,8 @@ namespace etak::editor {
 /// The message that `m`, which has a measurement, is no longer measured.
 QString let_go_text(const ProjectMaterial& m);
 
-/// The section "Measured F0": record and dataset in one line, and behind its button (i) the spread of all datasets,
-/// outside medium, illuminant, observer and what is to be said of the data.
+/// The section "Measured F0": the record in one line, and behind its button (i) the dataset, the spread of all
+/// datasets, outside medium, illuminant, observer and what is to be said of the data.
 class SourceSection : public Section {
   Q_OBJECT
 
@@ -31,6 +31,7 @@ class SourceSection : public Section {
 
  private:
   void take();
+  void make_rows();
   void show_rows();
   void tell(const ProjectMaterial& material);
   void fill_datasets(const std::string& material);
@@ -39,6 +40,7 @@ class SourceSection : public Section {
   QuietComboBox *material_, *dataset_, *outside_, *illuminant_, *observer_;
   QLabel *result_, *body_, *spread_, *citation_;
   QToolButton* unfold_ = nullptr;
+  QWidget* viewing_ = nullptr;
   Worker pool_;
   std::string datasets_of_;
   std::optional<MeasuredF0> shown_;
