@@ -47,7 +47,8 @@ void fill(const AtCosines& at, LongWork& work, const Value& value) {
 void fresnel_into(const FresnelForm* form, const DatasetOf& found, const F0Options& options,
                   const AtCosines& at, LongWork& work) {
   const auto* constants = std::get_if<OpticalConstants>(&found.dataset().optics);
-  if (constants == nullptr) throw Error::at(found.label(), "has reflectance data only", "n and k");
+  if (constants == nullptr)
+    throw Error::at(found.label(), without_constants(found.dataset().optics), "n and k");
   // Says why where the data do not allow it.
   if (const F0Result f0 = F0Solver(options).solve(found.dataset().optics); f0.refused())
     throw Error::at(found.label(), "refused: " + f0.refusal);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 
 #include "app/python/members.h"
 #include "app/python/module.h"
@@ -7,6 +8,7 @@
 #include "core/base/setting.h"
 #include "core/color/srgb.h"
 #include "core/material/catalogue.h"
+#include "core/material/f0_data.h"
 #include "core/material/find.h"
 #include "core/material/material.h"
 #include "core/material/names.h"
@@ -25,15 +27,40 @@ namespace {
 
 // ---- what Python sees of a dataset
 
+// Null: a formula, or a stack.
 const Spectrum* table_of(const Dataset& dataset) {
+  if (std::holds_alternative<Stack>(dataset.optics)) return nullptr;
   if (const auto* reflectance = std::get_if<Reflectance>(&dataset.optics)) return &reflectance->spectrum;
   return std::get_if<Spectrum>(&std::get<OpticalConstants>(dataset.optics).n);
 }
 
 std::pair<double, double> range_of(const Dataset& dataset) {
   if (const Spectrum* table = table_of(dataset)) return {table->first_nm(), table->last_nm()};
+  // A stack reaches as far as all of its media.
+  if (const auto* stack = std::get_if<Stack>(&dataset.optics)) {
+    std::pair<double, double> out{0, std::numeric_limits<double>::infinity()};
+    for (const StackMedium& medium : stack->media) {
+      const Range range = etak::range_of(medium.constants);
+      out = {std::max(out.first, range.first_nm), std::min(out.second, range.last_nm)};
+    }
+    return out;
+  }
   const auto& formula = std::get<DispersionFormula>(std::get<OpticalConstants>(dataset.optics).n);
   return {formula.first_nm, formula.last_nm};
+}
+
+using Layer = std::tuple<std::string, std::string, std::optional<double>, bool>;
+
+std::optional<std::vector<Layer>> layers_of(const Dataset& dataset) {
+  const auto* stack = std::get_if<Stack>(&dataset.optics);
+  if (stack == nullptr || !stack->is_open()) return std::nullopt;
+  std::vector<Layer> out;
+  const auto add = [&](std::size_t medium, std::optional<double> thickness_nm, bool coherent) {
+    out.emplace_back(stack->media[medium].id, stack->media[medium].dataset, thickness_nm, coherent);
+  };
+  for (const StackLayer& each : stack->layers) add(each.medium, each.thickness_nm, each.coherent);
+  add(stack->base, std::nullopt, false);
+  return out;
 }
 
 const OpticalConstants* constants_in(const DatasetOf& of) {
@@ -42,7 +69,8 @@ const OpticalConstants* constants_in(const DatasetOf& of) {
 
 const OpticalConstants& constants_of(const DatasetOf& of) {
   const OpticalConstants* const out = constants_in(of);
-  if (out == nullptr) throw Error::at(of.label(), "has reflectance data only", "a dataset of n and k");
+  if (out == nullptr)
+    throw Error::at(of.label(), without_constants(of.dataset().optics), "a dataset of n and k");
   return *out;
 }
 
@@ -154,14 +182,29 @@ std::vector<std::string> ids_with(const Library& library, const std::string& tex
   return out;
 }
 
+void check_pickled(const OpticalConstants& constants) {
+  if (const auto* n = std::get_if<Spectrum>(&constants.n)) validate(*n, "pickle");
+  if (constants.k) validate(*constants.k, "pickle");
+}
+
+void check_pickled(const Stack& stack) {
+  bool good = stack.media.empty() || stack.base < stack.media.size();
+  for (const StackLayer& layer : stack.layers)
+    good = good && layer.medium < stack.media.size() && layer.thickness_nm >= 0 &&
+           std::isfinite(layer.thickness_nm);
+  if (!good) throw Error::at("pickle", "layers that a stack cannot have", "a material");
+  for (const StackMedium& medium : stack.media) check_pickled(medium.constants);
+}
+
 // A material of a pickle, whose numbers the solver must be able to rely on.
 std::shared_ptr<Material> restored_material(const py::bytes& bytes) {
   auto out = std::make_shared<Material>(from_bytes<Material>(bytes));
   if (out->preferred >= out->datasets.size()) throw Error::at("pickle", "no preferred dataset", "a material");
   for (const Dataset& each : out->datasets) {
     if (const auto* constants = std::get_if<OpticalConstants>(&each.optics)) {
-      if (const auto* n = std::get_if<Spectrum>(&constants->n)) validate(*n, "pickle");
-      if (constants->k) validate(*constants->k, "pickle");
+      check_pickled(*constants);
+    } else if (const auto* stack = std::get_if<Stack>(&each.optics)) {
+      check_pickled(*stack);
     } else {
       validate(std::get<Reflectance>(each.optics).spectrum, "pickle");
     }
@@ -275,12 +318,17 @@ void add_numbers(const auto& get) {
     flags |= quality_flags(*d.material, d.dataset());
     return flag_names(flags);
   });
-  get("has_n", "Whether it holds n, and not reflectance.",
+  get("has_n", "Whether it holds n, and not reflectance or layers.",
       [](const DatasetOf& d) { return constants_in(d) != nullptr; });
   get("has_k", "Whether it holds k.", [](const DatasetOf& d) { return k_in(d) != nullptr; });
-  get("is_formula", "Whether n is a formula, which has no wavelengths of its own.",
-      [](const DatasetOf& d) { return table_of(d.dataset()) == nullptr; });
-  get("wavelength", "Where n or the reflectance was measured, in nm; None for a formula.",
+  get("is_formula", "Whether n is a formula, which has no wavelengths of its own.", [](const DatasetOf& d) {
+    return table_of(d.dataset()) == nullptr && !std::holds_alternative<Stack>(d.dataset().optics);
+  });
+  get("stack",
+      "Of a stack: its layers from the outside as (id, dataset, thickness in nm, whether it is coherent), and the base, "
+      "whose thickness is None; None for all else.",
+      [](const DatasetOf& d) { return layers_of(d.dataset()); });
+  get("wavelength", "Where n or the reflectance was measured, in nm; None for a formula or a stack.",
       [](const DatasetOf& d) {
         const Spectrum* const table = table_of(d.dataset());
         return table == nullptr ? std::nullopt : std::optional(array_of(table->wavelength_nm));
@@ -291,7 +339,8 @@ void add_numbers(const auto& get) {
         const Spectrum* const k = k_in(d);
         return k == nullptr ? std::nullopt : std::optional(std::pair(k->first_nm(), k->last_nm()));
       });
-  get("range", "First and last wavelength, in nm.", [](const DatasetOf& d) { return range_of(d.dataset()); });
+  get("range", "First and last wavelength, in nm; of a stack those that all its media have.",
+      [](const DatasetOf& d) { return range_of(d.dataset()); });
 }
 
 void add_dataset(py::class_<DatasetOf>& dataset) {

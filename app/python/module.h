@@ -96,7 +96,10 @@ struct DatasetOf {
   std::size_t index = 0;
 
   const Dataset& dataset() const { return material->datasets[index]; }
-  std::string label() const { return material->id + "/" + dataset().id; }
+  std::string label() const {
+    const auto* stack = std::get_if<Stack>(&dataset().optics);  // whose text tells its datasets
+    return stack != nullptr ? stack->text : material->id + "/" + dataset().id;
+  }
 };
 
 /// The material that a caller asks for: a name, a path, a Material or a Dataset.

@@ -18,6 +18,10 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
     out.refusal = material.id + "/" + dataset.id + ": refused: " + result.refusal;
     return out;
   }
+  if (std::holds_alternative<Stack>(dataset.optics)) {
+    out.refusal = material.id + "/" + dataset.id + ": refused: a stack of layers, which no export holds yet";
+    return out;
+  }
   const LinearRgb diffuse = wishes.diffuse.value_or(LinearRgb{0, 0, 0});
   ExportSurface& surface =
       out.surface.emplace(export_surface(material, dataset, solver.options(), result, diffuse, wishes.gloss));

@@ -107,6 +107,9 @@ std::optional<Fit> fit_named(std::string_view text) {
 
 ExportSurface export_surface(const Material& material, const Dataset& dataset, const F0Options& options,
                              const F0Result& result, const LinearRgb& diffuse, std::optional<Gloss> gloss) {
+  if (std::holds_alternative<Stack>(dataset.optics))
+    throw Error::at(material.id + "/" + dataset.id, "is a stack of layers, which no export holds yet",
+                    "a bare material");
   ExportSurface out;
   out.id = material.id;
   out.name = material.name;

@@ -3,11 +3,19 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
 
 namespace etak {
+
+/// A layer of a stack, or its base, which has no thickness.
+struct F0Layer {
+  std::string id, dataset;
+  std::optional<double> thickness_nm;
+  bool coherent = true;
+};
 
 /// One line of an F0 report: the material or file that was asked for, the source of its data, and the result.
 struct F0Row {
@@ -22,6 +30,7 @@ struct F0Row {
   std::string kind = {};        // of the dataset: "measured", "fit", "computed"; empty when unknown
   std::string doubt = {};       // why the dataset is doubtful; empty: it is not, or nothing is known of it
   std::optional<ClearBody> clear = {};  // of a material whose body is clear, its colour in the space of F0
+  std::vector<F0Layer> layers = {};     // of a stack, the outermost first, the base last
 };
 
 }  // namespace etak

@@ -28,6 +28,19 @@ F0Result refused(std::string reason, Flags flags = {}) {
   return out;
 }
 
+std::vector<F0Layer> layers_of(const Dataset& dataset) {
+  std::vector<F0Layer> out;
+  const auto* stack = std::get_if<Stack>(&dataset.optics);
+  if (stack == nullptr || !stack->is_open()) return out;
+  for (const StackLayer& layer : stack->layers) {
+    const StackMedium& medium = stack->media[layer.medium];
+    out.push_back({medium.id, medium.dataset, layer.thickness_nm, layer.coherent});
+  }
+  const StackMedium& base = stack->media[stack->base];
+  out.push_back({base.id, base.dataset, {}, true});
+  return out;
+}
+
 // What the user says of a bare table or page.
 void state_row(const F0Job& job, F0Row& row) {
   row.material_class = job.tables.material_class;
@@ -36,6 +49,15 @@ void state_row(const F0Job& job, F0Row& row) {
 }
 
 }  // namespace
+
+void set_record(F0Row& row, const Material& material, const Dataset& dataset) {
+  row.name = material.name;
+  row.material_class = material.material_class;
+  row.dataset = dataset.id;
+  row.source = source_line(dataset);
+  row.kind = kind_of(dataset.origin);
+  row.layers = layers_of(dataset);
+}
 
 F0StageTimes& F0StageTimes::operator+=(const F0StageTimes& other) {
   read += other.read;
@@ -79,6 +101,7 @@ F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& jo
     answer_page(input, job, out);
   } else if (job.materials) {
     out.material = material_of_text(text_, input.path, input.file, job.tables);
+    open_stacks(*out.material, input);
   } else if (input.file == MaterialFileKind::table) {
     const Table table = parse_table(text_, input.path, job.tables);
     watch.lap(times.parse);
@@ -86,6 +109,7 @@ F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& jo
     state_row(job, out.row);
   } else {
     Material material = parse_material(text_, input.path);
+    open_stacks(material, input);
     state(material, job.tables);
     watch.lap(times.parse);
     answer_dataset(material, input, job, out.row);
@@ -146,11 +170,7 @@ void F0Worker::answer_dataset(const Material& material, const MaterialInput& inp
                               F0Row& row) {
   const Dataset& dataset = dataset_named(material, input.dataset, input.path);
   row.alias_note = input.alias_note;
-  row.name = material.name;
-  row.material_class = material.material_class;
-  row.dataset = dataset.id;
-  row.source = one_line(dataset.citation);
-  row.kind = kind_of(dataset.origin);
+  set_record(row, material, dataset);
   row.doubt = doubt(material, dataset);
   if (job.with_source) row.clear = clear_body(material, dataset, job.solver.options().space);
   const auto average =

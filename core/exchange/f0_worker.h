@@ -45,6 +45,9 @@ struct F0Outcome {
       material;  // where the job asks for it; none of a page that gives no n and is refused
 };
 
+/// What a row says of its dataset, besides the result and what it is called by.
+void set_record(F0Row& row, const Material& material, const Dataset& dataset);
+
 /// Computes F0 of inputs one after the other, on one thread; its buffers are used again for the next input.
 class alignas(64) F0Worker {
  public:

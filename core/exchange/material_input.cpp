@@ -11,6 +11,8 @@
 #include "core/exchange/data_folder.h"
 #include "core/material/find.h"
 #include "core/material/names.h"
+#include "core/material/stack.h"
+#include "core/material/stack_text.h"
 
 namespace etak {
 namespace {
@@ -21,17 +23,28 @@ MaterialInput failed(std::string message) {
   return out;
 }
 
-MaterialInput file_input(std::string path, MaterialFileKind kind, const InputNames& asked) {
+MaterialInput file_input(std::string path, MaterialFileKind kind, const InputNames& asked,
+                         const LibraryWhenAsked& library) {
   MaterialInput out;
   out.kind = MaterialInput::Kind::file;
   out.file = kind;
   out.path = std::move(path);
   out.dataset = asked.dataset;
+  if (kind == MaterialFileKind::material) out.library = library;
   return out;
 }
 
-void add_folder(const std::string& path, const InputNames& asked, unsigned threads,
-                std::vector<std::string>* remarks, std::vector<MaterialInput>& out) {
+// Part of a stack: a file where the name ends like one, else a name of the library.
+StackPart stack_part(const LibraryWhenAsked& library, std::string_view name, const std::string& place) {
+  const MaterialFileKind kind = material_file_kind(name);
+  if (kind == MaterialFileKind::none) return library_part(library(), name, place);
+  Material material = read_material_file(std::string(name), kind);
+  const std::size_t preferred = material.preferred;
+  return {{std::move(material), preferred}, true, std::string(name)};
+}
+
+void add_folder(const std::string& path, const InputNames& asked, const LibraryWhenAsked& library,
+                unsigned threads, std::vector<std::string>* remarks, std::vector<MaterialInput>& out) {
   Folder folder = list_folder(path, threads);
   if (remarks != nullptr && !folder.skipped.empty()) remarks->push_back(skipped_remark(folder.skipped));
   if (folder.files.empty() && folder.unreadable.empty())
@@ -41,7 +54,7 @@ void add_folder(const std::string& path, const InputNames& asked, unsigned threa
   out.reserve(out.size() + folder.files.size());
   for (std::string& file : folder.files) {
     const MaterialFileKind kind = material_file_kind(file);
-    MaterialInput& input = out.emplace_back(file_input(std::move(file), kind, asked));
+    MaterialInput& input = out.emplace_back(file_input(std::move(file), kind, asked, library));
     input.label_at = folder.root.size();
     input.from_folder = true;
   }
@@ -64,7 +77,9 @@ void add_datasets(Material read, std::string dataset, const InputNames& asked, c
     return;
   }
   for (const Dataset* each : datasets_named(*material, dataset, label)) {
-    input.path = label + '/' + each->id;
+    // A stack's text names the dataset of each medium.
+    const auto* stack = std::get_if<Stack>(&each->optics);
+    input.path = stack != nullptr ? stack->text : label + '/' + each->id;
     input.dataset = each->id;
     out.push_back(input);
   }
@@ -98,7 +113,7 @@ void open_datasets(const InputNames& asked, std::size_t first, std::vector<Mater
       continue;
     }
     try {
-      add_datasets(read_material_file(input.path, input.file), {}, asked, input.path, {}, out);
+      add_datasets(read_material(input, {}), {}, asked, input.path, {}, out);
       for (std::size_t i = begin; i < out.size(); ++i) {
         out[i].label_at = input.label_at;
         out[i].from_folder = input.from_folder;
@@ -121,15 +136,21 @@ void add_name(const std::string& name, const InputNames& asked, const LibraryWhe
               unsigned threads, std::vector<std::string>* remarks, std::vector<MaterialInput>& out) {
   sys::FileInfo info;
   const bool exists = sys::file_info(name, info);
+  if (!exists && is_stack_text(name)) {
+    const auto part = [&](std::string_view medium, const std::string& place) {
+      return stack_part(library, medium, place);
+    };
+    return add_datasets(stack_material(name, part), asked.dataset, asked, name, {}, out);
+  }
   const MaterialFileKind kind = material_file_kind(name);
   const bool pipe = is_pipe_input(name);
   const bool path_like = std::filesystem::path(name).has_root_path() || name.starts_with('.') ||
                          name.ends_with('/') || (pipe && typed_input(name) != name);
   if (!path_like && kind == MaterialFileKind::none && add_material(name, asked, library, exists, out)) return;
   if (exists && info.kind == sys::FileInfo::Kind::folder)
-    return add_folder(name, asked, threads, remarks, out);
+    return add_folder(name, asked, library, threads, remarks, out);
   if (pipe && kind == MaterialFileKind::none) {
-    out.push_back(file_input(name, kind_of_pipe(name, asked.pipe_format), asked));
+    out.push_back(file_input(name, kind_of_pipe(name, asked.pipe_format), asked, library));
     return;
   }
   if (kind == MaterialFileKind::none && exists && info.kind == sys::FileInfo::Kind::file)
@@ -142,7 +163,8 @@ void add_name(const std::string& name, const InputNames& asked, const LibraryWhe
     fail_unknown_name(library(), name,
                       {.place = {}, .found = "no material, file or folder has this name", .instead = {}});
   // A missing file or a device is left to the reader, whose message tells why it is refused.
-  out.push_back(file_input(name, kind == MaterialFileKind::none ? MaterialFileKind::material : kind, asked));
+  out.push_back(
+      file_input(name, kind == MaterialFileKind::none ? MaterialFileKind::material : kind, asked, library));
 }
 
 }  // namespace
@@ -184,6 +206,13 @@ bool is_prose(const MaterialInput& input, std::string_view head) {
   return input.from_folder && input.file == MaterialFileKind::table && is_prose_file(input.path, head);
 }
 
+void open_stacks(Material& material, const MaterialInput& input) {
+  if (!input.library) return;
+  open_stacks(material, input.path, [&](std::string_view name, const std::string& place) {
+    return stack_part(input.library, name, place);
+  });
+}
+
 Material read_material(const MaterialInput& input, const TableOptions& tables, std::string_view id) {
   if (input.kind == MaterialInput::Kind::failed) throw Error(input.path);
   if (input.kind == MaterialInput::Kind::material) {
@@ -191,7 +220,9 @@ Material read_material(const MaterialInput& input, const TableOptions& tables, s
     state(out, tables);
     return out;
   }
-  return read_material_file(input.path, input.file, tables, id);
+  Material out = read_material_file(input.path, input.file, tables, id);
+  open_stacks(out, input);
+  return out;
 }
 
 }  // namespace etak

@@ -27,8 +27,9 @@ struct MaterialInput {
   std::size_t label_at = 0;  // the label is `path` from here on
   bool from_folder = false;  // or of the whole library: refusals are then ordinary
   std::shared_ptr<const Material> material;
-  std::string dataset;     // asked for by "id/dataset" or InputNames::dataset; empty: the preferred one
-  std::string alias_note;  // what must be said of the name that was asked for; may be empty
+  std::string dataset;       // asked for by "id/dataset" or InputNames::dataset; empty: the preferred one
+  std::string alias_note;    // what must be said of the name that was asked for; may be empty
+  LibraryWhenAsked library;  // of a material file, which may hold stacks
 
   std::string label() const;
 };
@@ -61,6 +62,9 @@ std::vector<std::string> alias_remarks(const std::vector<MaterialInput>& inputs)
 /// list of changes) instead of a table.
 ///   head   the first content_head bytes, or more
 bool is_prose(const MaterialInput& input, std::string_view head);
+
+/// Looks up the media of the stacks of a material file: in the library, and as files.
+void open_stacks(Material& material, const MaterialInput& input);
 
 /// The input as a material: of the library, of a material file, or made from a page or table with one
 /// dataset.

@@ -137,7 +137,9 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
   }
   const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
   if (constants == nullptr) {
-    out.reason = "the data are reflectance: what the body absorbs is not known";
+    out.reason = std::holds_alternative<Stack>(dataset.optics)
+                     ? "a stack of layers is not seen through yet"
+                     : "the data are reflectance: what the body absorbs is not known";
     return out;
   }
   out.reason = material.body.empty() ? alias_note(material.bodies, dataset.id) : material.body;

@@ -29,24 +29,34 @@ constexpr double visible_absorption = 0.01;
 // quarters of a code at 0.04.
 constexpr double flagged_grid_error = 1e-3;
 
-bool is_single_sample(const Optics& optics) {
-  if (const auto* table = std::get_if<Reflectance>(&optics)) return table->spectrum.size() == 1;
-  const auto* table = std::get_if<Spectrum>(&std::get<OpticalConstants>(optics).n);
-  return table && table->size() == 1;
+// The data of one medium or reflectance.
+//   constants   null: reflectance
+//   samples     of n or the reflectance; null: a formula
+struct Data {
+  const OpticalConstants* constants = nullptr;
+  const Spectrum* samples = nullptr;
+
+  Range range() const {
+    return constants ? range_of(*constants) : Range{samples->first_nm(), samples->last_nm()};
+  }
+};
+
+Data data_of(const OpticalConstants& constants) {
+  return {&constants, std::get_if<Spectrum>(&constants.n)};
 }
 
 // Flags of the data alone, whatever the result is.
-Flags flags_of_data(const Optics& optics, const Coverage& coverage) {
+Flags flags_of_data(const Data& data, const Coverage& coverage) {
   Flags out;
   const auto set = [&](Flag flag, bool holds) {
     if (holds) out.set(flag);
   };
-  set(Flag::single_sample, is_single_sample(optics));
+  set(Flag::single_sample, data.samples && data.samples->size() == 1);
   set(Flag::extrapolated, coverage.first_nm > core_first_nm || coverage.last_nm < core_last_nm ||
                               coverage.least() < flagged_below);
   set(Flag::gap, coverage.largest_gap_nm > wide_gap_nm);
   set(Flag::sparse, is_sparse(coverage));
-  const auto* constants = std::get_if<OpticalConstants>(&optics);
+  const OpticalConstants* const constants = data.constants;
   if (!constants) return out;
   const Range n = range_of(*constants);
   set(Flag::formula_clamped, std::holds_alternative<DispersionFormula>(constants->n) &&
@@ -56,6 +66,57 @@ Flags flags_of_data(const Optics& optics, const Coverage& coverage) {
       constants->k && (constants->k->first_nm() > std::max<double>(grid_first_nm, n.first_nm) ||
                        constants->k->last_nm() < std::min<double>(grid_last_nm, n.last_nm)));
   return out;
+}
+
+// Adds coverage and flags of the data, and why they have no colour.
+void add_data(const F0Setup& setup, const Data& data, F0Result& result) {
+  result.coverage = coverage_of(data.range(), data.samples, setup.sums);
+  result.flags |= flags_of_data(data, result.coverage);
+  result.refusal = coverage_refusal(setup, data.range(), result.coverage);
+}
+
+// Whether light of 400 nm has fringes in the coherent layers that are narrower than eight steps of the sum.
+bool has_unresolved_fringes(const F0Setup& setup, const Stack& stack) {
+  constexpr double least_steps = 8;
+  Quadrature at;
+  at.wavelength_nm = {core_first_nm};
+  double path = 0;  // there and back
+  for (const StackLayer& layer : stack.layers) {
+    double n = 0;
+    index_at(setup, stack.media[layer.medium].constants, at, {&n, 1});
+    if (layer.coherent) path += 2 * n * layer.thickness_nm;
+  }
+  return core_first_nm * core_first_nm < least_steps * std::max(step_nm(setup.options.method), 1) * path;
+}
+
+// What all media of a stack cover, and the flags of all.
+void add_stack(const F0Setup& setup, const Stack& stack, F0Result& result) {
+  if (!stack.is_open()) {
+    result.refusal = "the materials of the stack " + printable(stack.text) + " were not looked up";
+    return;
+  }
+  for (std::size_t i = 0; i < stack.media.size(); ++i) {
+    F0Result part;
+    add_data(setup, data_of(stack.media[i].constants), part);
+    result.flags |= part.flags;
+    if (i == 0)
+      result.coverage = part.coverage;
+    else
+      intersect(result.coverage, part.coverage);
+    if (!part.refused() || result.refused()) continue;
+    result.refusal = stack.media[i].id + "/" + stack.media[i].dataset + ": " + part.refusal;
+  }
+  if (!result.refused())
+    result.refusal =
+        coverage_refusal(setup, {result.coverage.first_nm, result.coverage.last_nm}, result.coverage);
+  if (has_unresolved_fringes(setup, stack)) result.flags.set(Flag::unresolved_fringes);
+}
+
+void add_data(const F0Setup& setup, const Optics& optics, F0Result& result) {
+  if (const auto* stack = std::get_if<Stack>(&optics)) return add_stack(setup, *stack, result);
+  if (const auto* constants = std::get_if<OpticalConstants>(&optics))
+    return add_data(setup, data_of(*constants), result);
+  add_data(setup, {nullptr, &std::get<Reflectance>(optics).spectrum}, result);
 }
 
 // The knots together with those of the outside medium.
@@ -229,15 +290,9 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   F0Spectra& room = *taken;
 
   F0Result result;
-  const auto* table = std::get_if<Reflectance>(&optics);
-  const auto* constants = std::get_if<OpticalConstants>(&optics);
-  const Spectrum* samples = table ? &table->spectrum : std::get_if<Spectrum>(&constants->n);
-  const Range range = table ? Range{samples->first_nm(), samples->last_nm()} : range_of(*constants);
-  result.coverage = coverage_of(range, samples, setup.sums);
   result.flags = data_flags;
   result.flags |= setup.outside_flags;
-  result.flags |= flags_of_data(optics, result.coverage);
-  result.refusal = coverage_refusal(setup, range, result.coverage);
+  add_data(setup, optics, result);
   if (result.refused()) return result;
 
   const auto reflect = [&](const Quadrature& at) -> std::span<const double> {
@@ -250,7 +305,8 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   if (state_->finer_than_grid(optics, reflect)) result.flags.set(Flag::finer_than_grid);
   std::vector<double> knots;
   if (setup.needs_knots() || result.flags.has(Flag::finer_than_grid)) append_knots(optics, knots);
-  state_->add_colour(std::move(knots), reflect, table ? nullptr : &room.r82, result);
+  const bool has_f82 = !std::holds_alternative<Reflectance>(optics);
+  state_->add_colour(std::move(knots), reflect, has_f82 ? &room.r82 : nullptr, result);
   watch.lap(times.sum);
   return result;
 }

@@ -22,6 +22,12 @@ void count_samples(const Spectrum& table, Coverage& coverage) {
   }
 }
 
+// Both are ascending.
+void merge(std::span<const double> more, std::vector<double>& knots) {
+  const auto middle = knots.insert(knots.end(), more.begin(), more.end());
+  std::inplace_merge(knots.begin(), middle, knots.end());
+}
+
 }  // namespace
 
 double Coverage::least() const {
@@ -65,6 +71,9 @@ bool is_sparse(const Coverage& coverage) {
 }
 
 bool is_sparse(const Optics& optics) {
+  if (const auto* stack = std::get_if<Stack>(&optics))
+    return std::any_of(stack->media.begin(), stack->media.end(),
+                       [](const StackMedium& medium) { return is_sparse(medium.constants); });
   const auto* reflectance = std::get_if<Reflectance>(&optics);
   const Spectrum* table =
       reflectance ? &reflectance->spectrum : std::get_if<Spectrum>(&std::get<OpticalConstants>(optics).n);
@@ -85,26 +94,36 @@ void intersect(Coverage& a, const Coverage& b) {
   a.is_formula = a.is_formula && b.is_formula;
 }
 
-void append_knots(const Optics& optics, std::vector<double>& knots) {
-  const auto add = [&](std::span<const double> more) {
-    const auto middle = knots.insert(knots.end(), more.begin(), more.end());
-    std::inplace_merge(knots.begin(), middle, knots.end());
-  };
-  if (const auto* reflectance = std::get_if<Reflectance>(&optics))
-    return add(reflectance->spectrum.wavelength_nm);
-  const auto& constants = std::get<OpticalConstants>(optics);
+void append_knots(const OpticalConstants& constants, std::vector<double>& knots) {
   const Spectrum* n = nullptr;
   if (const auto* formula = std::get_if<DispersionFormula>(&constants.n)) {
-    add(std::array{formula->first_nm, formula->last_nm});
+    merge(std::array{formula->first_nm, formula->last_nm}, knots);
   } else {
     n = &std::get<Spectrum>(constants.n);
-    add(n->wavelength_nm);
+    merge(n->wavelength_nm, knots);
   }
   if (constants.k && !(n != nullptr && n->wavelength_nm == constants.k->wavelength_nm))
-    add(constants.k->wavelength_nm);
+    merge(constants.k->wavelength_nm, knots);
+}
+
+void append_knots(const Optics& optics, std::vector<double>& knots) {
+  if (const auto* reflectance = std::get_if<Reflectance>(&optics))
+    return merge(reflectance->spectrum.wavelength_nm, knots);
+  if (const auto* constants = std::get_if<OpticalConstants>(&optics)) return append_knots(*constants, knots);
+  for (const StackMedium& medium : std::get<Stack>(optics).media) append_knots(medium.constants, knots);
+  // Between the knots of its media a stack is far from linear in the wavelength.
+  std::array<double, grid_size> grid{};
+  for (std::size_t i = 0; i < grid_size; ++i) grid[i] = grid_first_nm + static_cast<double>(i);
+  merge(grid, knots);
 }
 
 double finest_spacing_nm(const Optics& optics) {
+  if (const auto* stack = std::get_if<Stack>(&optics)) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const StackMedium& medium : stack->media)
+      least = std::min(least, finest_spacing_nm(medium.constants));
+    return least;
+  }
   if (const auto* reflectance = std::get_if<Reflectance>(&optics))
     return etak::finest_spacing_nm(reflectance->spectrum.wavelength_nm);
   const auto& constants = std::get<OpticalConstants>(optics);

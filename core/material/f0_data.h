@@ -30,6 +30,7 @@ void intersect(Coverage& a, const Coverage& b);
 
 /// Adds all wavelengths at which the optics are not smooth; `knots` is ascending and stays so.
 void append_knots(const Optics& optics, std::vector<double>& knots);
+void append_knots(const OpticalConstants& constants, std::vector<double>& knots);
 
 /// The smallest distance between neighbouring samples of one table inside 360..830 nm; infinite for formulas.
 double finest_spacing_nm(const Optics& optics);

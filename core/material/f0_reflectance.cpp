@@ -2,6 +2,7 @@
 // From optics to reflectance at the nodes of a quadrature.
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/dispersion.h"
@@ -22,25 +23,49 @@ void values_at(const F0Setup& setup, const Spectrum& table, const Quadrature& q,
     resample(table, setup.options.interpolation, q.wavelength_nm, out);
 }
 
+// n of the outside medium at the nodes of q.
+std::vector<double> outside_at(const F0Setup& setup, const Quadrature& q) {
+  const auto* medium = std::get_if<OpticalConstants>(&setup.options.outside.index);
+  if (medium != nullptr && &q == &setup.quadrature) return setup.outside;
+  std::vector<double> out(q.wavelength_nm.size(), setup.outside_n);
+  if (medium != nullptr) index_at(setup, *medium, q, out);
+  return out;
+}
+
 void divide_by_outside(const F0Setup& setup, const Quadrature& q, std::span<double> n, std::span<double> k) {
-  if (const auto* medium = std::get_if<OpticalConstants>(&setup.options.outside.index)) {
-    std::vector<double> computed;
-    const std::vector<double>* n0 = &setup.outside;
-    if (&q != &setup.quadrature) {
-      computed.resize(n.size());
-      index_at(setup, *medium, q, computed);
-      n0 = &computed;
-    }
-    for (std::size_t i = 0; i < n.size(); ++i) {
-      n[i] /= (*n0)[i];
-      k[i] /= (*n0)[i];
-    }
-  } else if (setup.outside_n != 1) {
-    for (std::size_t i = 0; i < n.size(); ++i) {
-      n[i] /= setup.outside_n;
-      k[i] /= setup.outside_n;
-    }
+  if (std::holds_alternative<double>(setup.options.outside.index) && setup.outside_n == 1) return;
+  const std::vector<double> n0 = outside_at(setup, q);
+  for (std::size_t i = 0; i < n.size(); ++i) {
+    n[i] /= n0[i];
+    k[i] /= n0[i];
   }
+}
+
+// n and k at the nodes of q; returns why they are those of no medium.
+std::string constants_at(const F0Setup& setup, const OpticalConstants& constants, const Quadrature& q,
+                         std::span<double> n, std::span<double> k) {
+  index_at(setup, constants, q, n);
+  if (constants.k)
+    values_at(setup, *constants.k, q, k);
+  else
+    std::fill(k.begin(), k.end(), 0.0);
+  for (std::size_t i = 0; i < n.size(); ++i)
+    if (!(n[i] > 0 || (n[i] == 0 && k[i] > 0)))
+      return "n = " + number(n[i], 6) + " at " + number(q.wavelength_nm[i], 6) +
+             " nm; n must be above 0, or 0 with k above 0";
+  return {};
+}
+
+std::string stack_reflectance(const F0Setup& setup, const Stack& stack, const Quadrature& q, F0Spectra& room,
+                              Stopwatch& watch, F0Timing& timing) {
+  StackSpectra spectra;
+  if (std::string why = stack_spectra(setup, stack, q, spectra); !why.empty()) return why;
+  watch.lap(timing.interpolate);
+  const FilmSpectra film = spectra.film(stack, q);
+  film_reflectance(film, 1, room.r0);
+  if (!room.r82.empty()) film_reflectance(film, f82_cosine, room.r82);
+  watch.lap(timing.fresnel);
+  return {};
 }
 
 }  // namespace
@@ -53,6 +78,24 @@ void index_at(const F0Setup& setup, const OpticalConstants& optics, const Quadra
     values_at(setup, std::get<Spectrum>(optics.n), q, out);
 }
 
+FilmSpectra StackSpectra::film(const Stack& stack, const Quadrature& q) const {
+  FilmSpectra out{q.wavelength_nm, outside, {}, {n[stack.base], k[stack.base]}};
+  for (const StackLayer& layer : stack.layers)
+    out.layers.push_back({{n[layer.medium], k[layer.medium]}, layer.thickness_nm, layer.coherent});
+  return out;
+}
+
+std::string stack_spectra(const F0Setup& setup, const Stack& stack, const Quadrature& q, StackSpectra& out) {
+  if (!stack.is_open()) return "the materials of the stack " + printable(stack.text) + " were not looked up";
+  out.n.assign(stack.media.size(), std::vector<double>(q.wavelength_nm.size()));
+  out.k = out.n;
+  for (std::size_t i = 0; i < stack.media.size(); ++i)
+    if (std::string why = constants_at(setup, stack.media[i].constants, q, out.n[i], out.k[i]); !why.empty())
+      return stack.media[i].id + ": " + why;
+  out.outside = outside_at(setup, q);
+  return {};
+}
+
 std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Quadrature& q, F0Spectra& room,
                            Stopwatch& watch, F0Timing& timing) {
   if (const auto* table = std::get_if<Reflectance>(&optics)) {
@@ -60,16 +103,11 @@ std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Qua
     watch.lap(timing.interpolate);
     return {};
   }
-  const auto& constants = std::get<OpticalConstants>(optics);
-  index_at(setup, constants, q, room.n);
-  if (constants.k)
-    values_at(setup, *constants.k, q, room.k);
-  else
-    std::fill(room.k.begin(), room.k.end(), 0.0);
-  for (std::size_t i = 0; i < room.n.size(); ++i)
-    if (!(room.n[i] > 0 || (room.n[i] == 0 && room.k[i] > 0)))
-      return "n = " + number(room.n[i], 6) + " at " + number(q.wavelength_nm[i], 6) +
-             " nm; n must be above 0, or 0 with k above 0";
+  if (const auto* stack = std::get_if<Stack>(&optics))
+    return stack_reflectance(setup, *stack, q, room, watch, timing);
+  if (std::string why = constants_at(setup, std::get<OpticalConstants>(optics), q, room.n, room.k);
+      !why.empty())
+    return why;
   divide_by_outside(setup, q, room.n, room.k);
   watch.lap(timing.interpolate);
   f64::f0(room.n, room.k, room.r0);

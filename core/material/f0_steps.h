@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
+#include "core/film/stack.h"
 #include "core/material/f0.h"
 #include "core/material/f0_data.h"
 #include "core/math/mat3.h"
@@ -51,6 +52,18 @@ struct F0Spectra {
 /// n of `optics` at the nodes of `q` into `out`, which has their size.
 void index_at(const F0Setup& setup, const OpticalConstants& optics, const Quadrature& q,
               std::span<double> out);
+
+/// n and k of a stack's media at the nodes of a quadrature, and n of the outside.
+struct StackSpectra {
+  std::vector<std::vector<double>> n, k;
+  std::vector<double> outside;
+
+  /// Views into this, the stack's layers and q.
+  FilmSpectra film(const Stack& stack, const Quadrature& q) const;
+};
+
+/// Returns why the data do not allow it; empty: they do.
+std::string stack_spectra(const F0Setup& setup, const Stack& stack, const Quadrature& q, StackSpectra& out);
 
 /// Reflectance at the nodes of `q` into `room`, which has their size: r0 at normal incidence and, of optical
 /// constants, r82 at cos 1/7.

@@ -6,6 +6,8 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/material/names.h"
+#include "core/material/stack.h"
+#include "core/material/stack_text.h"
 
 namespace etak {
 
@@ -26,6 +28,12 @@ void fail_unknown_name(const MaterialLibrary& library, std::string_view text, co
 }
 
 std::optional<NamedMaterial> find_material(const MaterialLibrary& library, std::string_view text) {
+  if (is_stack_text(text)) {
+    const auto part = [&](std::string_view name, const std::string& place) {
+      return library_part(library, name, place);
+    };
+    return NamedMaterial{{stack_material(text, part), NameKind::id, {}}, std::string(text), {}};
+  }
   if (auto answer = library.answer(text)) return NamedMaterial{std::move(*answer), std::string(text), {}};
   const std::size_t slash = text.find('/');
   if (slash == text.npos) return std::nullopt;
@@ -63,7 +71,8 @@ OutsideMedium outside_medium(const MaterialLibrary& library, std::string_view te
   const Dataset& dataset = dataset_named(material, found->dataset, place + ": " + material.id);
   const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
   if (constants == nullptr)
-    throw Error::at(place, printable(text) + " has reflectance data only", "n of a transparent medium");
+    throw Error::at(place, printable(text) + " " + std::string(without_constants(dataset.optics)),
+                    "n of a transparent medium");
   out.index = *constants;
   return out;
 }

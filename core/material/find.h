@@ -40,7 +40,7 @@ struct NamedMaterial {
 };
 
 /// "gold", "Au" or "gold/johnson": the whole text is looked up first, then what stands before its first '/'.
-/// Nothing where the library has no answer to the name.
+/// A text of layers ("water:2mm/copper") is a material of its own. Nothing where the library has no answer to the name.
 std::optional<NamedMaterial> find_material(const MaterialLibrary& library, std::string_view text);
 
 /// One dataset and the material that it belongs to.

@@ -12,6 +12,7 @@
 #include "core/material/material_node_json.h"
 #include "core/material/medium.h"
 #include "core/material/optics_class.h"
+#include "core/material/stack_text.h"
 
 namespace etak {
 namespace {
@@ -115,6 +116,16 @@ Optics read_optics(const Node& node) {
   return optics;
 }
 
+// A stack by its text, whose names are looked up later.
+Optics read_stack(const Node& node) {
+  if (node.at("quantity").text() != "stack") node.at("quantity").fail_type("\"stack\"");
+  for (const char* key : {"unit", "valid_range", "formula", "columns", "rows", "k_rows"})
+    if (node.has(key)) node.at(key).fail("data beside a stack, whose media have theirs");
+  const Node text = node.at("stack");
+  (void)parse_stack(text.text(), std::string(node.file) + "#" + text.pointer);
+  return Stack{text.text(), {}, {}, 0};
+}
+
 Citation read_citation(const Node& node) {
   node.expect_object({"authors", "title", "published_in", "year", "doi", "url", "licence", "via"});
   Citation c;
@@ -131,10 +142,14 @@ Citation read_citation(const Node& node) {
 
 Dataset read_dataset(const Node& node) {
   node.expect_object({"id", "quantity", "origin", "sample", "temperature_kelvin", "axis", "citation", "flags",
-                      "note", "doubtful", "unit", "valid_range", "formula", "columns", "rows", "k_rows"});
+                      "note", "doubtful", "stack", "unit", "valid_range", "formula", "columns", "rows",
+                      "k_rows"});
   Dataset d;
   d.id = node.at("id").text();
-  if (!is_made_of(d.id, "abcdefghijklmnopqrstuvwxyz0123456789-."))
+  // The id of a stack may be that of its media's datasets, with '+' between.
+  const bool stack = node.has("stack");
+  if (!is_made_of(
+          d.id, stack ? "abcdefghijklmnopqrstuvwxyz0123456789-.+" : "abcdefghijklmnopqrstuvwxyz0123456789-."))
     node.at("id").fail_type("a-z, 0-9, - and . only");
   if (node.has("origin"))
     d.origin = node.at("origin").word(origin_named, "measured, fit, computed or unknown");
@@ -153,7 +168,7 @@ Dataset read_dataset(const Node& node) {
     d.doubtful = node.at("doubtful").text();
     if (d.doubtful.empty()) node.at("doubtful").fail_type("the reason, or no \"doubtful\" at all");
   }
-  d.optics = read_optics(node);
+  d.optics = stack ? read_stack(node) : read_optics(node);
   return d;
 }
 
@@ -200,6 +215,7 @@ std::vector<double> wavelengths_of(const Optics& optics) {
 }
 
 void add_optics(Members& out, const Optics& optics) {
+  if (const auto* stack = std::get_if<Stack>(&optics)) return out.push_back({"stack", json(stack->text)});
   const bool micrometres = all_in_micrometres(wavelengths_of(optics));
   const auto add_columns = [&](double first, double last, std::initializer_list<std::string_view> columns) {
     const auto shown = [&](double nm) { return json(micrometres ? *in_micrometres(nm) : nm); };
@@ -247,8 +263,11 @@ std::string citation_json(const Citation& c) {
 
 std::string dataset_json(const Dataset& d) {
   const auto* constants = std::get_if<OpticalConstants>(&d.optics);
+  const bool stack = std::holds_alternative<Stack>(d.optics);
   Members out{{"id", json(d.id)},
-              {"quantity", json(constants ? constants->k ? "n,k" : "n" : "reflectance")},
+              {"quantity", json(constants ? constants->k ? "n,k" : "n"
+                                : stack   ? "stack"
+                                          : "reflectance")},
               {"origin", json(name(d.origin))},
               {"sample", json(d.sample)}};
   if (d.temperature_kelvin) out.push_back({"temperature_kelvin", json(*d.temperature_kelvin)});

@@ -17,6 +17,7 @@
 #include "core/material/json.h"
 #include "core/material/names.h"
 #include "core/material/qualifiers.h"
+#include "core/material/stack.h"
 
 namespace etak {
 namespace {
@@ -181,6 +182,14 @@ std::optional<LibraryAnswer> MaterialLibrary::answer(std::string_view name) cons
 }
 
 Material MaterialLibrary::at(std::size_t index) const {
+  Material out = as_filed(index);
+  open_stacks(out, out.id, [&](std::string_view name, const std::string& place) {
+    return library_part(*this, name, place);
+  });
+  return out;
+}
+
+Material MaterialLibrary::as_filed(std::size_t index) const {
   const Entry& e = entries_.at(index);
   return e.material ? *e.material : decode_material(builtin_blob(), e.blob_offset);
 }

@@ -66,7 +66,11 @@ class MaterialLibrary {
   /// that the note is shown to; documents name materials exactly.
   std::optional<LibraryAnswer> answer(std::string_view name) const;
 
+  /// With the media of stacks looked up (open_stacks() in stack.h).
   Material at(std::size_t index) const;
+
+  /// As its file has it: at() without what a stack's names stand for.
+  Material as_filed(std::size_t index) const;
 
   /// Ids, names and aliases that come near to `name` (name_distance()), nearest first, each material once;
   /// none where nothing is near.

@@ -39,6 +39,8 @@ constexpr std::array<FlagRow, flag_count> flag_rows{{
     {"sparse", "the table has fewer than 10 samples in 400-700 nm"},
     {"doubtful",
      "its file names the numbers doubtful and says why, or the luminance of F0 is more than 0.1 off the median of at least two other datasets"},
+    {"unresolved-fringes",
+     "layers that are thick and coherent have fringes narrower than eight steps of the sum, which may miss them"},
 }};
 
 constexpr std::array<std::string_view, 4> origin_names{"measured", "fit", "computed", "unknown"};
@@ -102,6 +104,18 @@ std::string one_line(const Citation& c) {
   add(", ", c.published_in);
   if (c.year != 0) add(" ", "(" + std::to_string(c.year) + ")");
   if (!c.doi.empty()) add(", ", "doi:" + c.doi);
+  return out;
+}
+
+std::string_view without_constants(const Optics& optics) {
+  return std::holds_alternative<Stack>(optics) ? "is a stack of layers" : "has reflectance data only";
+}
+
+std::string source_line(const Dataset& dataset) {
+  std::string out = one_line(dataset.citation);
+  if (const auto* stack = std::get_if<Stack>(&dataset.optics))
+    for (const StackMedium& medium : stack->media)
+      out.append(out.empty() ? "" : "; ").append(medium.id).append(": ").append(one_line(medium.citation));
   return out;
 }
 

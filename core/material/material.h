@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,8 +38,9 @@ enum class Flag : std::uint8_t {
   computed,                    // the numbers come from theory alone
   sparse,                      // a table of fewer than 10 samples in 400..700 nm
   doubtful,                    // named so in its file, or far from the other datasets: quality.h
+  unresolved_fringes,          // fringes of a stack's layers are too narrow for the step of the sum
 };
-inline constexpr std::size_t flag_count = 20;
+inline constexpr std::size_t flag_count = 21;
 
 std::string_view name(Flag flag);
 std::string_view meaning(Flag flag);  // one sentence, for docs and pages
@@ -97,9 +99,6 @@ struct Reflectance {
   friend bool operator==(const Reflectance&, const Reflectance&) = default;
 };
 
-/// What one source says of one sample: n, k or reflectance.
-using Optics = std::variant<OpticalConstants, Reflectance>;
-
 /// Where numbers were published, and under which licence.
 struct Citation {
   std::vector<std::string> authors;
@@ -112,6 +111,43 @@ struct Citation {
   std::string via;           // where the numbers were taken from: collection and page
   friend bool operator==(const Citation&, const Citation&) = default;
 };
+
+/// A medium of a stack: a dataset of a material.
+struct StackMedium {
+  std::string id, dataset;
+  Citation citation;
+  OpticalConstants constants;
+  friend bool operator==(const StackMedium&, const StackMedium&) = default;
+};
+
+/// A layer of a stack.
+///   medium     index in Stack::media
+///   coherent   whether light that is reflected at its two sides interferes
+struct StackLayer {
+  std::size_t medium = 0;
+  double thickness_nm = 0;
+  bool coherent = true;
+  friend bool operator==(const StackLayer&, const StackLayer&) = default;
+};
+
+/// Flat layers on a base, numbered from the outside.
+///   text    that says so: "anatase:40nm/titanium" (core/material/stack_text.h)
+///   media   each once; none: the names in the text have not been looked up (open_stacks() in core/material/stack.h)
+///   base    index in media
+struct Stack {
+  std::string text;
+  std::vector<StackMedium> media;
+  std::vector<StackLayer> layers;
+  std::size_t base = 0;
+  bool is_open() const { return !media.empty(); }
+  friend bool operator==(const Stack&, const Stack&) = default;
+};
+
+/// What one source says of one sample: n, k or reflectance; or the layers that it is made of.
+using Optics = std::variant<OpticalConstants, Reflectance, Stack>;
+
+/// What messages say of optics that are no n and k: "has reflectance data only", "is a stack of layers".
+std::string_view without_constants(const Optics& optics);
 
 /// unknown: the source does not say.
 enum class Origin { measured, fit, computed, unknown };
@@ -183,6 +219,9 @@ struct Material {
 
 /// One line: "A. Author and B. Author, Title, Journal 1, 2 (1972), doi:...".
 std::string one_line(const Citation& citation);
+
+/// The citation of a dataset, and behind it those of the media of a stack.
+std::string source_line(const Dataset& dataset);
 
 /// One material of several: the first, and behind its datasets those of the others. Where a dataset's id is
 /// taken it becomes "ID-2", "ID-3", ... A material without datasets where there are none.

@@ -59,7 +59,9 @@ std::string doubt(const Material& material, const Dataset& dataset) {
 
 Flags quality_flags(const Material& material, const Dataset& dataset) {
   Flags flags;
-  if (dataset.origin == Origin::computed) flags.set(Flag::computed);
+  // Of a stack the media were measured.
+  if (dataset.origin == Origin::computed && !std::holds_alternative<Stack>(dataset.optics))
+    flags.set(Flag::computed);
   if (is_sparse(dataset.optics)) flags.set(Flag::sparse);
   if (!doubt(material, dataset).empty()) flags.set(Flag::doubtful);
   return flags;

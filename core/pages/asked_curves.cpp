@@ -103,7 +103,9 @@ class Curves {
     }
     const auto* constants = std::get_if<OpticalConstants>(&optics);
     if (constants == nullptr)
-      throw Error::at(name, "holds reflectance at normal incidence alone",
+      throw Error::at(name,
+                      std::holds_alternative<Stack>(optics) ? without_constants(optics)
+                                                            : "holds reflectance at normal incidence alone",
                       "data of n and k, or " + setting("term"));
     const SeenFresnel seen(*constants, name, request_.options);
     ColorCurve& curve = curves.emplace_back(ColorCurve{name, {}, {}});

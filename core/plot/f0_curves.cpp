@@ -6,6 +6,7 @@
 
 #include "core/fresnel/fresnel.h"
 #include "core/material/dispersion.h"
+#include "core/material/f0_steps.h"
 #include "core/spectrum/interpolate.h"
 
 namespace etak {
@@ -48,6 +49,23 @@ std::vector<double> samples_of(const Spectrum& table) {
   return nm;
 }
 
+// A stack has no n and k of its own. No curves where its reflectance is not known.
+OpticsCurves curves_of(const Stack& stack, const F0Options& options) {
+  OpticsCurves curves;
+  const F0Setup setup = f0_setup(options);
+  Quadrature at;
+  at.wavelength_nm = grid_between(grid_first_nm, grid_last_nm);
+  F0Spectra room;
+  room.resize(at.wavelength_nm.size());
+  Stopwatch watch(false);
+  F0Timing ignored;
+  if (!reflectance_at(setup, stack, at, room, watch, ignored).empty()) return curves;
+  curves.r_nm = std::move(at.wavelength_nm);
+  curves.r0 = std::move(room.r0);
+  curves.r82 = std::move(room.r82);
+  return curves;
+}
+
 }  // namespace
 
 OpticsCurves curves_of(const Optics& optics, const F0Options& options) {
@@ -58,6 +76,7 @@ OpticsCurves curves_of(const Optics& optics, const F0Options& options) {
     curves.sample_nm = samples_of(reflectance->spectrum);
     return curves;
   }
+  if (const auto* stack = std::get_if<Stack>(&optics)) return curves_of(*stack, options);
   const auto& constants = std::get<OpticalConstants>(optics);
   if (const auto* table = std::get_if<Spectrum>(&constants.n)) {
     curves.n_nm = grid_of(*table);

@@ -83,6 +83,8 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
                          const Vec3& diffuse, const Gloss& gloss) {
   const std::string what = material.id + "/" + dataset.id;
   if (result.refused()) throw Error::at(what, "has no F0: " + result.refusal, "data over the visible range");
+  if (std::holds_alternative<Stack>(dataset.optics))
+    throw Error::at(what, "is a stack of layers, which is not drawn yet", "a bare material");
   const std::string_view kind = optical_kind(material.material_class);
   SurfaceValues out;
   out.gloss = gloss;

@@ -58,7 +58,7 @@ SphereMaterial sphere_material(const MaterialLibrary& library, std::string_view 
   if (!material) throw Error::at(std::string(id), "is not in the library");
   const Dataset& dataset = material->preferred_dataset();
   const auto* optics = std::get_if<OpticalConstants>(&dataset.optics);
-  if (optics == nullptr) throw Error::at(std::string(id), "has reflectance data only", "n and k");
+  if (optics == nullptr) throw Error::at(std::string(id), without_constants(dataset.optics), "n and k");
   SphereMaterial out{std::string(id), surface_of(*material, dataset, body, 0.5), fresnel_truth(*optics, id)};
   out.surface.optics = *optics;
   return out;

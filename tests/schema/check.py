@@ -38,7 +38,7 @@ def run(*arguments):
 
 material, f0 = schema("material"), schema("f0")
 files = sorted(glob.glob(f"{source}/materials/**/*.json", recursive=True))
-assert len(files) >= 383, len(files)
+assert len(files) >= 401, len(files)
 for path in files:
     with open(path, encoding="utf-8") as file:
         check(material, json.load(file), path)

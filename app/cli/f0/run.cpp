@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "app/cli/f0/sweep.h"
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
@@ -353,6 +354,9 @@ int answer_f0(F0Arguments& arguments) {
   const F0Job job{
       solver,          table_options(arguments.tables), arguments.compute.axis_average, with_source,
       arguments.stats, output.format == "html"};
+  if (!arguments.sweep.empty()) return answer_film_sweep(arguments, job);
+  if (output.format == "svg")
+    throw Error::at("--format svg", "without --sweep", "a stack and --sweep, or another form");
   keep_worker_memory();
   return F0Run(arguments, job, thread_count(arguments.threads)).answer_all();
 }

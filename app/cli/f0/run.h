@@ -19,6 +19,7 @@ struct F0Arguments {
   Library library;
   unsigned threads = 0;
   std::string sort;
+  std::string sweep;
   bool stats = false;
   bool verbose = false;
   bool allow_empty = false;  // the list of --files-from may be empty

@@ -1,52 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
-
+#include "core/base/sweep.h"
 #include "app/cli/pictures/sheet.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/base/text/text.h"
 #include "core/render/sheet.h"
 
 namespace etak::cli {
 namespace {
 
-constexpr std::size_t most_objects = 64;
-
-[[noreturn]] void refuse(const std::string& found) {
-  throw Error::at("--sweep", printable(found),
-                  "NAME=FIRST:LAST:COUNT or NAME=VALUE,VALUE,..., 2 to 64 values, such as gloss=0:1:7");
-}
-
-std::vector<std::string> even_steps(const std::string& text, const std::vector<std::string>& parts) {
-  double first = 0, last = 0, count = 0;
-  if (parts.size() != 3 || !parse_number(parts[0], first) || !parse_number(parts[1], last) ||
-      !parse_number(parts[2], count) || !(count >= 2 && count <= most_objects && count == std::floor(count)))
-    refuse(text);
-  std::vector<std::string> out;
-  for (double i = 0; i < count; ++i) out.push_back(number(std::lerp(first, last, i / (count - 1)), 6));
-  return out;
-}
-
-// The values of --sweep.
-struct Sweep {
-  std::string name;
-  std::vector<std::string> values;
-};
-
 double number_of(const Sweep& sweep, const std::string& value) {
   double out = 0;
   if (!parse_number(value, out)) throw Error::at("--sweep", sweep.name + "=" + printable(value), "a number");
-  return out;
-}
-
-Sweep parse_sweep(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == text.npos || equals == 0) refuse(text);
-  Sweep out{text.substr(0, equals), {}};
-  const std::string values = text.substr(equals + 1);
-  out.values =
-      values.find(':') == values.npos ? parts_of(values, ',') : even_steps(text, parts_of(values, ':'));
-  if (out.values.size() < 2 || out.values.size() > most_objects) refuse(text);
   return out;
 }
 
@@ -74,7 +38,9 @@ RenderArguments with_value(const RenderArguments& arguments, const Sweep& sweep,
 }  // namespace
 
 Image draw_sweep(const RenderArguments& arguments, const std::function<Image(RenderArguments&)>& drawn) {
-  const Sweep sweep = parse_sweep(arguments.sweep);
+  const Sweep sweep =
+      parse_sweep(arguments.sweep,
+                  {"NAME=FIRST:LAST:COUNT or NAME=VALUE,VALUE,..., 2 to 64 values, such as gloss=0:1:7"});
   Sheet sheet;
   sheet.rows.emplace_back();
   for (const std::string& value : sweep.values) {

@@ -27,12 +27,17 @@ void add_f0(CommandLine& line) {
   add_compute_options(verb, arguments->compute);
   add_table_options(verb, arguments->tables);
   add_library_options(verb, arguments->library);
-  add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "html"});
+  add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "html", "svg"});
   add_progress_option(verb, arguments->output.progress);
   add_thread_option(verb, arguments->threads);
   verb.option("--sort", arguments->sort,
               "order of the rows, in place of that of the inputs: Y, from dark to bright")
       .words({"Y"});
+  verb.option(
+          "--sweep", arguments->sweep,
+          "one stack with thicknesses of a layer (1 is the outermost): LAYER=FIRST:LAST:COUNT, as in "
+          "1=0nm:400nm:81, or LAYER=VALUE,VALUE,...; with --format svg a strip of colours over thickness and angle")
+      .value_name("LAYER=THICKNESSES");
   verb.flag("-v,--verbose", arguments->verbose,
             "below a table, what its flags mean and the policy that its numbers were computed by");
   verb.flag("--stats", arguments->stats, "time per stage and MB/s on standard error");

@@ -17,7 +17,7 @@ from several threads at once; they compute without the interpreter's lock.
 from __future__ import annotations
 
 import os as _os
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional, Tuple, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, List, NamedTuple, Optional, Tuple, Union, overload
 
 from . import _core
 from ._core import Citation, Dataset, Error, F0, Library, Material, Spread, __version__, library
@@ -34,7 +34,7 @@ __all__ = [
     "CheckedFile", "Choice", "Choices", "Citation", "Dataset", "Error", "F0", "Finding", "Library", "Material",
     "Near", "Packed", "Report", "Spread", "__version__", "choose", "curve", "dataset", "delta_e", "export", "f0",
     "fresnel", "fresnel_forms", "functions", "library", "nearest", "pack", "pack_settings", "plot", "read", "sources",
-    "validate"]
+    "stack", "validate"]
 
 
 def _documents() -> Any:
@@ -207,6 +207,21 @@ def dataset(
     '#3a3a3a'
     """
     return _core.dataset(wavelength, n, k, reflectance, name)
+
+
+def stack(layers: Iterable["tuple[Any, ...]"], base: str, *, library: Library = library) -> Dataset:
+    """Flat layers on a base as a dataset, which f0() takes. Layers are (name, thickness in nm), the outermost first, or
+    (name, thickness, coherent); where nothing is said they are coherent below 10 um.
+
+    >>> blue = etak.stack([("anatase", 50)], "titanium")
+    >>> etak.f0(blue).hex == etak.f0("anatase:50nm/titanium").hex
+    True
+    """
+    text = ""
+    for name, thickness, *coherent in layers:
+        text += f"{name}:{float(thickness)!r}nm"
+        text += "".join(":coherent" if each else ":incoherent" for each in coherent) + "/"
+    return read(text + base, library=library)
 
 
 def fresnel(

@@ -22,8 +22,11 @@ namespace fs = std::filesystem;
 namespace {
 
 void check_place(const etak::Material& m, const fs::path& file) {
-  const std::string expected =
-      m.material_class + "/" + (m.group.empty() ? "" : m.group + "/") + m.id + ".json";
+  // Stacks of layers stand together, whatever their bases are.
+  const std::string folder = m.group == "film" ? m.group
+                             : m.group.empty() ? m.material_class
+                                               : m.material_class + "/" + m.group;
+  const std::string expected = folder + "/" + m.id + ".json";
   if (!file.generic_string().ends_with("/" + expected))
     throw etak::Error::at(
         etak::sys::path_text(file),

@@ -44,14 +44,18 @@ void members(MemberWriter& to, const std::variant<Types...>& v) {
   to.member(std::uint64_t{v.index()});
   std::visit([&](const auto& value) { to.member(value); }, v);
 }
-template <class First, class Second>
-void members(MemberReader& to, std::variant<First, Second>& v) {
+// Anything but the index of an earlier type is the last one.
+template <std::size_t At, class... Types>
+void read_as(MemberReader& to, std::uint64_t index, std::variant<Types...>& v) {
+  if constexpr (At + 1 < sizeof...(Types))
+    if (index != At) return read_as<At + 1>(to, index, v);
+  to.member(v.template emplace<At>());
+}
+template <class... Types>
+void members(MemberReader& to, std::variant<Types...>& v) {
   std::uint64_t index = 0;
   to.member(index);
-  if (index == 0)
-    to.member(v.template emplace<0>());
-  else
-    to.member(v.template emplace<1>());
+  read_as<0>(to, index, v);
 }
 
 // ---- materials
@@ -75,6 +79,18 @@ void members(To& to, S& s) {
 template <class To, Like<Citation> S>
 void members(To& to, S& s) {
   all_members(to, s.authors, s.title, s.published_in, s.year, s.doi, s.url, s.licence, s.via);
+}
+template <class To, Like<StackMedium> S>
+void members(To& to, S& s) {
+  all_members(to, s.id, s.dataset, s.citation, s.constants);
+}
+template <class To, Like<StackLayer> S>
+void members(To& to, S& s) {
+  all_members(to, s.medium, s.thickness_nm, s.coherent);
+}
+template <class To, Like<Stack> S>
+void members(To& to, S& s) {
+  all_members(to, s.text, s.media, s.layers, s.base);
 }
 template <class To, Like<Dataset> S>
 void members(To& to, S& s) {

@@ -163,6 +163,16 @@ std::vector<Member> result_members(const F0Row& row) {
                               {"doubtful", row.doubt.empty() ? null : json(row.doubt)},
                               {"clear", json_clear(row.clear)},
                               {"refused", has ? null : json(r.refusal)}};
+  if (!row.layers.empty()) {
+    std::vector<std::string> layers;
+    for (const F0Layer& layer : row.layers)
+      layers.push_back(json_object({{"id", json(layer.id)},
+                                    {"dataset", json(layer.dataset)},
+                                    {"thickness_nm", layer.thickness_nm ? json(*layer.thickness_nm) : null},
+                                    {"coherent", layer.thickness_nm ? json(layer.coherent) : null}},
+                                   -1));
+    members.push_back({"stack", json_array(layers)});
+  }
   if (!row.alias_note.empty()) members.push_back({"alias_note", json(row.alias_note)});
   if (has && r.integration) members.push_back({"integration", json_integration(*r.integration)});
   return members;

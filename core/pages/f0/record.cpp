@@ -44,6 +44,7 @@ std::string data_line(const Dataset& dataset, const Coverage& coverage) {
       kind = "n table of " + std::to_string(std::get<Spectrum>(constants->n).size()) + " rows";
     kind += constants->k ? ", k table of " + std::to_string(constants->k->size()) + " rows" : ", no k";
   }
+  if (const auto* stack = std::get_if<Stack>(&dataset.optics)) kind = "stack " + stack->text;
   std::string out = kind + "; " + number(coverage.first_nm, 6) + "-" + number(coverage.last_nm, 6) + " nm";
   if (!coverage.is_formula)
     out += "; " + std::to_string(coverage.samples_400_700) + " samples in 400-700 nm, largest gap " +
@@ -82,7 +83,7 @@ void append_dataset(std::string& out, const Material& material, std::size_t inde
   line("sample", sample_line(dataset));
   line("data", data_line(dataset, result.coverage));
   line("coverage", three_numbers(result.coverage.weight, 6) + " of the X, Y, Z weight");
-  line("source", one_line(dataset.citation));
+  line("source", source_line(dataset));
   line("licence", dataset.citation.licence);
   line("via", dataset.citation.via);
   line("note", dataset.note);
@@ -144,7 +145,7 @@ std::string record_json(const MaterialReport& report, const F0Options& options) 
                     .name = material.name,
                     .material_class = material.material_class,
                     .dataset = dataset.id,
-                    .source = one_line(dataset.citation),
+                    .source = source_line(dataset),
                     .result = report.results[i],
                     .kind = std::string(name(dataset.origin)),
                     .doubt = doubt(material, dataset),

@@ -68,7 +68,7 @@ double lobe_alpha(const SurfaceTexel& texel) {
 ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss) {
   const std::string what = material.id + "/" + dataset.id;
   if (!std::holds_alternative<OpticalConstants>(dataset.optics))
-    throw Error::at(what, "has reflectance data only", "n and k");
+    throw Error::at(what, without_constants(dataset.optics), "n and k");
   ChooseSubject out;
   out.name = material.id;
   out.library = what;

@@ -21,13 +21,13 @@ struct Sample {
   Optics optics;
 };
 
-// Every dataset of the library that gives F0.
+// Every table and formula of the library that gives F0; the stacks made of them are refused as they are filed.
 std::vector<Sample> usable_samples() {
   std::vector<Sample> out;
   const auto library = MaterialLibrary::builtin();
   const F0Solver solver({});
   for (std::size_t i = 0; i < library.ids().size(); ++i)
-    for (const Material material = library.at(i); const Dataset& dataset : material.datasets)
+    for (const Material material = library.as_filed(i); const Dataset& dataset : material.datasets)
       if (!solver.solve(dataset.optics).refused())
         out.push_back({material.id + "/" + dataset.id, dataset.optics});
   return out;

@@ -73,14 +73,14 @@ double half_step(const Coding& coding, double x) {
   return (coding.decode(code + half) - coding.decode(code - half)) / 2 / x;
 }
 
-// F0 of every dataset of the library, clamped to [0, 1], because errors of clipping are not the question
+// F0 of every table and formula of the library, clamped to [0, 1], because errors of clipping are not the question
 // here.
 std::vector<LinearRgb> library_colours() {
   const auto library = MaterialLibrary::builtin();
   const F0Solver solver({});
   std::vector<LinearRgb> out;
   for (std::size_t i = 0; i < library.ids().size(); ++i)
-    for (const Material material = library.at(i); const Dataset& dataset : material.datasets) {
+    for (const Material material = library.as_filed(i); const Dataset& dataset : material.datasets) {
       const F0Result result = solver.solve(dataset.optics);
       if (result.refused()) continue;
       Vec3 rgb = vec(result.srgb_linear);

@@ -101,6 +101,7 @@ std::optional<double> reflectance_at_550(const Optics& optics) {
   };
   if (const auto* measured = std::get_if<Reflectance>(&optics))
     return inside(measured->spectrum) ? std::optional(value(measured->spectrum)) : std::nullopt;
+  if (std::holds_alternative<Stack>(optics)) return std::nullopt;
   const auto& constants = std::get<OpticalConstants>(optics);
   double n = 1, k = 0;
   if (const auto* table = std::get_if<Spectrum>(&constants.n)) {
@@ -131,7 +132,7 @@ void set_rows(SpectralRows& rows, const Optics& optics) {
   if (const auto* measured = std::get_if<Reflectance>(&optics)) {
     rows.wavelength_nm = measured->spectrum.wavelength_nm;
     rows.reflectance = measured->spectrum.value;
-  } else {
+  } else if (std::holds_alternative<OpticalConstants>(optics)) {
     const auto& constants = std::get<OpticalConstants>(optics);
     if (const auto* table = std::get_if<Spectrum>(&constants.n)) {
       rows.wavelength_nm = table->wavelength_nm;

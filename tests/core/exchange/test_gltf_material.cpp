@@ -79,7 +79,7 @@ TEST_CASE("the whole library in one document passes the validator, in both forms
     const Material material = library.at(i);
     const Dataset& dataset = material.preferred_dataset();
     const F0Result result = solver.solve(dataset.optics, dataset.flags);
-    if (!result.refused())
+    if (!result.refused() && !std::holds_alternative<Stack>(dataset.optics))
       surfaces.push_back(export_surface(material, dataset, options, result, {0.2, 0.2, 0.2}, 0.5));
   }
   REQUIRE(surfaces.size() >= 215);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/text/ascii.h"
+#include "core/material/f0.h"
 #include "core/pages/lists/sources.h"
 #include "tests/support.h"
 
