@@ -289,7 +289,7 @@ class EditorDrops : public QObject {
     QTest::keyClick(window.window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(window->document().project() == before);
     // A project without a material gets one of a single set too.
-    window->document().remove(0);
+    window->document().remove({0});
     drop_pictures(window, {QStringLiteral("leaf.png"), QStringLiteral("leaf_opacity.png")});
     QCOMPARE(materials.size(), std::size_t{1});
     QCOMPARE(materials[0].name, std::string("leaf"));
