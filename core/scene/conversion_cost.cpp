@@ -16,7 +16,6 @@
 namespace etak {
 namespace {
 
-constexpr double least_told = 1;               // codes
 constexpr double steepest_code = 12.92 * 255;  // codes per unit of linear light, in the darkest colours
 
 double unrounded_code(double linear) {
@@ -68,16 +67,17 @@ class Magnified {
   bool color_;
 };
 
-// Diffuse, F0 and gloss, and what is left of diffuse light behind F0, as codes.
-using Look = std::array<double, 10>;
-constexpr std::size_t without_light = 7;
+// Diffuse, F0, gloss and alpha, and what is left of diffuse light behind F0, as codes.
+using Look = std::array<double, 11>;
+constexpr std::size_t without_light = 8;
 
 ///   reduced_by   F0 that is taken from diffuse light
-Look look_of(const DiffuseSpecular& texel, double gloss, double reduced_by) {
+Look look_of(const DiffuseSpecular& texel, double gloss, double alpha, double reduced_by) {
   Look out;
   for (std::size_t c = 0; c < 3; ++c)
     out[c] = unrounded_code(texel.diffuse[c]), out[3 + c] = unrounded_code(texel.f0[c]);
   out[6] = 255 * std::clamp(gloss, 0.0, 1.0);
+  out[7] = 255 * alpha;
   for (std::size_t c = 0; c < 3; ++c)
     out[without_light + c] = unrounded_code(texel.diffuse[c] * (1 - reduced_by));
   return out;
@@ -108,6 +108,8 @@ struct Sources {
     return Magnified(images(texture->image), texture->sampler, is_color).at(u, v);
   }
 
+  double alpha_of(double value) const { return m.alpha_mode == AlphaMode::opaque ? 1 : value; }
+
   // What a shader makes of what samplers find there.
   Look at(double u, double v) const {
     const auto a = found(color(), true, u, v), b = found(second(), m.specular_glossiness, u, v);
@@ -116,7 +118,7 @@ struct Sources {
       for (std::size_t c = 0; c < 3; ++c)
         ds.diffuse[c] = a[c] * m.diffuse[c], ds.f0[c] = b[c] * m.specular_f0[c];
       return look_of(ds, converted_gloss(b[3] * m.glossiness, GlossForm::one_minus_roughness, gloss),
-                     largest_channel(ds.f0));
+                     alpha_of(a[3] * m.diffuse[3]), largest_channel(ds.f0));
     }
     const auto tint = found(m.specular_color_texture, true, u, v);
     const double strength = found(m.specular_texture, false, u, v)[3];
@@ -126,7 +128,7 @@ struct Sources {
     ds = diffuse_specular({a[0] * m.base_color[0], a[1] * m.base_color[1], a[2] * m.base_color[2]},
                           b[2] * m.metallic, dielectric);
     return look_of(ds, converted_gloss(b[1] * m.roughness, GlossForm::roughness, gloss),
-                   largest_channel(dielectric));
+                   alpha_of(a[3] * m.base_color[3]), largest_channel(dielectric));
   }
 };
 
@@ -304,8 +306,8 @@ class Compared {
   double difference(double u, double v, std::size_t values) const {
     const auto diffuse = a_.at(u, v), specular = b_.at(u, v);
     const Vec3 f0{specular[0], specular[1], specular[2]};
-    const Look of_pair =
-        look_of({{diffuse[0], diffuse[1], diffuse[2]}, f0}, specular[3], largest_channel(f0));
+    const Look of_pair = look_of({{diffuse[0], diffuse[1], diffuse[2]}, f0}, specular[3],
+                                 sources_.alpha_of(diffuse[3]), largest_channel(f0));
     return largest_difference(sources_.at(u, v), of_pair, values);
   }
 
@@ -340,10 +342,12 @@ ConversionCost conversion_cost(const GltfMaterial& material, const SceneImages<s
     if (std::ranges::find(sizes, size_text(image)) == sizes.end()) sizes.push_back(size_text(image));
     if (image.pixel_count() == pair.diffuse_alpha.pixel_count()) continue;
     is_resized = true;
-    // Without a filter the borders of texels are what matters: where sizes are no multiples they lie amid the pair's.
-    const int steps = texture->sampler.nearest ? 4 : 1;
-    const Image8& at = texture->sampler.nearest ? pair.diffuse_alpha : image;
-    out.resized = std::max(out.resized, compared.worst(steps * at.width, steps * at.height));
+    const int width = pair.diffuse_alpha.width, height = pair.diffuse_alpha.height;
+    // Without a filter the borders of texels matter: where sizes are no multiples they lie amid the pair's texels.
+    if (!texture->sampler.nearest)
+      out.resized = std::max(out.resized, compared.worst(image.width, image.height));
+    else if (width % image.width != 0 || height % image.height != 0)
+      out.resized = std::max(out.resized, compared.worst(4 * width, 4 * height));
   }
   if (is_resized) out.sizes = joined(sizes, " and ");
   if (varies)
@@ -360,18 +364,18 @@ std::optional<std::string> sentence_of(const ConversionCost& cost) {
   if (cost.is_exact()) return std::nullopt;
   std::vector<std::string> parts;
   const auto codes = [](double value) { return fixed(value, 1) + " codes"; };
-  if (cost.partial >= 1)
+  if (cost.partial >= ConversionCost::least_told)
     parts.push_back("diffuse light of texels that are partly metal differs by up to " + codes(cost.partial));
-  if (cost.between >= 1)
+  if (cost.between >= ConversionCost::least_told)
     parts.push_back(
         "diffuse and F0 differ between texels, where metal meets what is less metal or textures of specular vary, by up to " +
         codes(cost.between));
-  if (cost.resized >= 1)
+  if (cost.resized >= ConversionCost::least_told)
     parts.push_back(
         "its textures of " + cost.sizes +
-        " were filtered to one size, and at texel centres of the smaller one diffuse, F0 or gloss differ by up to " +
+        " were filtered to one size, and at texel centres of the smaller one diffuse, F0, gloss or alpha differ by up to " +
         codes(cost.resized));
-  if (cost.tinted >= 1)
+  if (cost.tinted >= ConversionCost::least_told)
     parts.push_back("F0 of metal, which vertex colours no longer multiply, differs by up to " +
                     codes(cost.tinted));
   return "as diffuse and F0 it is not quite what it was: " + joined(parts, "; ");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,10 +17,10 @@ namespace etak {
 ///   partial   of texels that are partly metal: glTF takes 1 - F of the dielectric from their diffuse light,
 ///             and of a pair 1 - F of all F0 that they have
 ///   between   of diffuse and F0, half way between two neighbouring texels and amid four, across the seam of a
-///             texture that repeats too: a sampler mixes metal and base
-///             colour before the shader makes diffuse and F0 of them, and of a pair diffuse and F0 themselves.
-///             0 where the textures differ in size
-///   resized   of diffuse, F0 and gloss, at the centres of the texels of textures that are smaller than the
+///             texture that repeats too: a sampler mixes metal and base colour before the shader makes diffuse
+///             and F0 of them, and of a pair diffuse and F0 themselves. With textures of KHR_materials_specular
+///             of all that the pair holds, there and at texel centres. Else 0 where the textures differ in size
+///   resized   of diffuse, F0, gloss and alpha, at the centres of the texels of textures that are smaller than the
 ///             pair and were filtered up
 ///   tinted    of F0 of metal, which vertex colours (COLOR_0) multiply where it comes from base colour
 ///   sizes     of the textures that differ: "1024 x 1024 and 512 x 512"; empty where all are of one size
@@ -27,8 +28,10 @@ struct ConversionCost {
   double partial = 0, between = 0, resized = 0, tinted = 0;
   std::string sizes;
 
-  /// Whether all of it is less than a code.
-  bool is_exact() const { return partial < 1 && between < 1 && resized < 1 && tinted < 1; }
+  /// Whether all of it is so little that with the rounding of codes nothing is off by more than one.
+  bool is_exact() const { return std::max({partial, between, resized, tinted}) < least_told; }
+
+  static constexpr double least_told = 0.5;  // codes
 };
 
 ///   pair     of the material, as scene_material_pair() gives it
@@ -38,7 +41,7 @@ ConversionCost conversion_cost(const GltfMaterial& material, const SceneImages<s
                                const MaterialPair& pair, GlossForm gloss, const std::uint8_t* used,
                                const VertexColors& colors = {});
 
-/// What is told of it, without the material's name. None where all of it is less than a code.
+/// What is told of it, without the material's name. None where it is exact.
 std::optional<std::string> sentence_of(const ConversionCost& cost);
 
 }  // namespace etak

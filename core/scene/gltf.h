@@ -92,8 +92,8 @@ struct GltfMaterial {
   // KHR_materials_unlit: base colour and alpha are all that is seen, and stand here as those of a dielectric
   // without further textures.
   bool unlit = false;
-  // Extensions of KHR_materials_* that are not read here (clearcoat, sheen, ...). KHR_materials_pbrSpecularGlossiness may
-  // not stand beside them.
+  // It has extensions that are not read here (KHR_materials_clearcoat, MSFT_lod, ...), beside which
+  // KHR_materials_pbrSpecularGlossiness may not stand.
   bool further_extensions = false;
 };
 
@@ -104,7 +104,7 @@ std::vector<const GltfTexture*> replaced_textures(const GltfMaterial& material);
 /// The first of them, whose UV set, transform and sampler stand for all of them; null where there is none.
 const GltfTexture* leading_texture(const GltfMaterial& material);
 
-/// Whether all textures an atlas replaces are looked up at the same place: one set, transform and wrap.
+/// Whether all textures an atlas replaces are looked up at the same place: one set, transform, wrap and filter.
 bool textures_agree(const GltfMaterial& material);
 
 /// The least and the most by which COLOR_0 multiplies base colour, per channel.

@@ -103,9 +103,8 @@ void read_extensions(const GltfDocument& document, const JsonNode& extensions, G
 // Whether extensions stand there that neither read_extensions() reads nor the writer takes away.
 bool has_further_extensions(const Json& extensions) {
   for (const auto& [name, ignored] : extensions.items())
-    if (name.starts_with("KHR_materials_") && name != "KHR_materials_ior" &&
-        name != "KHR_materials_specular" && name != "KHR_materials_pbrSpecularGlossiness" &&
-        name != "KHR_materials_unlit")
+    if (name != "KHR_materials_ior" && name != "KHR_materials_specular" &&
+        name != "KHR_materials_pbrSpecularGlossiness" && name != "KHR_materials_unlit")
       return true;
   return false;
 }
@@ -228,7 +227,8 @@ bool textures_agree(const GltfMaterial& material) {
   for (const GltfTexture* texture : textures) {
     const GltfTexture& first = *textures.front();
     if (texture->uv_set != first.uv_set || texture->transform != first.transform ||
-        texture->sampler.wrap_u != first.sampler.wrap_u || texture->sampler.wrap_v != first.sampler.wrap_v)
+        texture->sampler.wrap_u != first.sampler.wrap_u || texture->sampler.wrap_v != first.sampler.wrap_v ||
+        texture->sampler.nearest != first.sampler.nearest)
       return false;
   }
   return true;

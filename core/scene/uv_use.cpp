@@ -361,4 +361,29 @@ TexelUse texel_use(const MaterialUses& uses, int material, const GltfTexture& te
   return use;
 }
 
+std::vector<std::uint8_t> texels_read(const TexelUse& use, const GltfSampler& sampler) {
+  std::vector<std::uint8_t> out = use.mask;
+  if (use.tiles) return out;
+  const auto [x, y, width, height] = use.extent;
+  const auto texel = [&](int column, int row) -> std::uint8_t& {
+    return out[static_cast<std::size_t>(row) * static_cast<std::size_t>(use.width) +
+               static_cast<std::size_t>(column)];
+  };
+  const int right = use.width - 1, bottom = use.height - 1;
+  // Clamping and mirroring lead to the texels at the border itself.
+  if (sampler.wrap_u == Wrap::repeat)
+    for (int row = 0; row < use.height; ++row) {
+      const std::uint8_t left_read = texel(0, row), right_read = texel(right, row);
+      if (x < 0) texel(right, row) |= left_read;
+      if (x + width > use.width) texel(0, row) |= right_read;
+    }
+  if (sampler.wrap_v == Wrap::repeat)
+    for (int column = 0; column < use.width; ++column) {
+      const std::uint8_t top_read = texel(column, 0), bottom_read = texel(column, bottom);
+      if (y < 0) texel(column, bottom) |= top_read;
+      if (y + height > use.height) texel(column, 0) |= bottom_read;
+    }
+  return out;
+}
+
 }  // namespace etak

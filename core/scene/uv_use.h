@@ -47,6 +47,10 @@ TexelUse texel_use(const MaterialUses& uses, int material, const GltfTexture& te
 /// The texels that a material uses, for few materials of a scene: goes through all uses of the scene.
 TexelUse texel_use(const GltfScene& scene, int material, const GltfTexture& texture, int width, int height);
 
+/// The texels that samplers read, 1 each: those of the mask and, where only footprints cross a border, those beyond it to
+/// which wrapping leads.
+std::vector<std::uint8_t> texels_read(const TexelUse& use, const GltfSampler& sampler);
+
 /// The footprint of one triangle, as texel_use() sees it.
 struct Footprint {
   std::array<int, 4> texels{0, 0, 0, 0};  // left, top, right, bottom, cut to the texture

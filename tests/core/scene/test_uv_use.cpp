@@ -160,6 +160,21 @@ TEST_CASE("a range inside one period is shifted, a mirrored one turned over, a w
   CHECK(use_of(rectangle(1, 1, 1, 1), Wrap::repeat).fold == UvTransform{});
 }
 
+TEST_CASE("texels beyond a border that only footprints cross are read where the texture repeats") {
+  const auto read = [](Wrap wrap, int x, int y) {
+    const TexelUse use = use_of(rectangle(0, 0, 0.25f, 0.25f), wrap);
+    CHECK(!use.mask[static_cast<std::size_t>(64 * y + x)]);
+    GltfSampler sampler;
+    sampler.wrap_u = sampler.wrap_v = wrap;
+    return texels_read(use, sampler)[static_cast<std::size_t>(64 * y + x)] == 1;
+  };
+  CHECK(read(Wrap::repeat, 63, 0));
+  CHECK(read(Wrap::repeat, 5, 63));
+  CHECK(read(Wrap::repeat, 63, 63));
+  CHECK(!read(Wrap::repeat, 63, 40));
+  CHECK((!read(Wrap::clamp, 63, 0) && !read(Wrap::mirrored, 5, 63)));
+}
+
 TEST_CASE("the texture's own transform is applied first") {
   const auto scene = scene_of_triangles(rectangle(0, 0, 1, 1));
   const TexelUse use = texel_use(scene, 0, texture(Wrap::clamp, {{0.25, 0}, {0.5, 0.5}, 0}), 256, 256);

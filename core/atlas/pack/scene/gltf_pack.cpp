@@ -207,7 +207,9 @@ void learn(SceneRead& read, std::size_t i, const Decoded& pictures) {
   }
   const bool masked =
       entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
-  const std::uint8_t* const used = masked ? entry.use->mask.data() : nullptr;
+  const std::vector<std::uint8_t> read_texels =
+      masked ? texels_read(*entry.use, lead->sampler) : std::vector<std::uint8_t>();
+  const std::uint8_t* const used = masked ? read_texels.data() : nullptr;
   look_at(*pair, used, in.facts.opaque, in.facts);
   if (in.facts.reached) {
     VertexColors colors;
