@@ -147,19 +147,19 @@ class UserSession : public QObject {
   }
 
   void a_kill_comes_in_the_middle_of_the_work() {
-    FineSpinBox& roughness = window->inspector().roughness().box();
-    window->inspector().ensureWidgetVisible(&roughness);
-    roughness.setFocus();
-    roughness.selectAll();
-    QTest::keyClicks(&roughness, QStringLiteral("0.4"));
-    QTest::keyClick(&roughness, Qt::Key_Return);
-    QCOMPARE(window->document().material()->gloss.roughness(), 0.4);
+    auto* occlusion = named<FineSpinBox>(window->inspector(), QStringLiteral("Occlusion"));
+    window->inspector().ensureWidgetVisible(occlusion);
+    occlusion->setFocus();
+    occlusion->selectAll();
+    QTest::keyClicks(occlusion, QStringLiteral("0.4"));
+    QTest::keyClick(occlusion, Qt::Key_Return);
+    QCOMPARE(window->document().material()->occlusion, 0.4);
     QVERIFY(!window->document().is_saved());
     const std::string copy = window->autosave().file().toStdString();
     const auto is_kept = [&] {
       if (!QFile::exists(window->autosave().file())) return false;
       const Project kept = parse_project(read_file(copy), copy);
-      return kept.materials.size() == 2 && kept.materials[1].gloss.roughness() == 0.4;
+      return kept.materials.size() == 2 && kept.materials[1].occlusion == 0.4;
     };
     QVERIFY(QTest::qWaitFor(is_kept, patience));
     write(folder.filePath(QStringLiteral("all is well")), "");
@@ -214,7 +214,7 @@ class EditorUser : public QObject {
     QCOMPARE(project.spectra.size(), std::size_t{1});
     QVERIFY(project.view.compare.on && project.view.compare.pinned.has_value());
     QVERIFY(project.materials[1].texture(Channel::diffuse) && project.materials[1].texture(Channel::gloss));
-    QCOMPARE(project.materials[1].gloss.roughness(), 0.4);
+    QCOMPARE(project.materials[1].occlusion, 0.4);
     QVERIFY(!window->document().is_saved());
     QCOMPARE(window->document().path(), folder.filePath(QStringLiteral("session.json")));
     QVERIFY(QTest::qWaitFor([&] { return !window->is_busy(); }, patience));
