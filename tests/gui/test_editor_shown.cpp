@@ -63,7 +63,7 @@ class EditorShown : public QObject {
     const auto brightest = [&](const char* id) {
       const QModelIndex row = library_row(window->library_panel(), QLatin1String(id));
       (void)row.data(Qt::DecorationRole);
-      if (!QTest::qWaitFor([&] { return window->thumbnails().is_idle(); }, 20000)) return -1;
+      if (!QTest::qWaitFor([&] { return window->thumbnails().is_idle(); }, 120000)) return -1;
       const QImage picture = qvariant_cast<QIcon>(row.data(Qt::DecorationRole)).pixmap(128).toImage();
       int out = 0;
       for (int y = 0; y < picture.height(); ++y)
