@@ -80,6 +80,7 @@ F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& jo
   if (input.kind == MaterialInput::Kind::failed) throw Error(input.path);
   F0Outcome out;
   out.row.path = input.label();
+  out.row.instrument = job.instrument;
   if (input.kind == MaterialInput::Kind::material) {
     if (job.materials)
       out.material = read_material(input, job.tables);
@@ -176,7 +177,8 @@ void F0Worker::answer_dataset(const Material& material, const MaterialInput& inp
   const auto average =
       job.axis_average ? average_over_axes(job.solver, material, dataset) : std::optional<AxisAverage>();
   if (!average) {
-    row.result = etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr);
+    row.result = seen_through(job.instrument, job.solver.options(), dataset.optics,
+                              etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr));
     return;
   }
   if (!average->datasets.empty() && !average->result.refused()) row.dataset = average->datasets;

@@ -28,7 +28,8 @@ struct F0Job {
   bool axis_average = false;
   bool with_source = false;  // fill in F0Row::source and F0Row::clear
   bool timed = false;
-  bool materials = false;  // fill in F0Outcome::material in place of computing results
+  bool materials = false;      // fill in F0Outcome::material in place of computing results
+  Instrument instrument = {};  // of all results but averages over axes
 };
 
 /// The result for one input.
@@ -62,7 +63,8 @@ class alignas(64) F0Worker {
   F0Result average_pages(const MaterialInput& input, const F0Job& job, F0Row& row);
   void answer_dataset(const Material& material, const MaterialInput& input, const F0Job& job, F0Row& row);
   F0Result solve(const Optics& optics, Flags flags, const F0Job& job) {
-    return job.solver.solve(optics, flags, job.timed ? &times.f0 : nullptr);
+    return seen_through(job.instrument, job.solver.options(), optics,
+                        job.solver.solve(optics, flags, job.timed ? &times.f0 : nullptr));
   }
 
   std::string text_;

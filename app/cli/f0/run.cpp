@@ -333,6 +333,21 @@ class F0Run {
   std::vector<F0Row> rows_;     // output in other forms
 };
 
+Instrument instrument_of(const F0Arguments& arguments, const F0Options& options) {
+  Instrument out;
+  const auto read = [](const std::string& text, const char* option, double& value) {
+    if (!text.empty() && !parse_number(text, value)) throw Error::at(option, printable(text), "a number");
+  };
+  read(arguments.aperture, "--aperture", out.aperture);
+  read(arguments.scatter, "--scatter", out.scatter);
+  validate(out, options);
+  if (out.any() && (arguments.output.format == "html" || arguments.output.format == "svg" ||
+                    arguments.compute.axis_average))
+    throw Error::at(out.aperture > 0 ? "--aperture" : "--scatter",
+                    "beside --axis-average, or in a page or strip", "rows of single datasets");
+  return out;
+}
+
 }  // namespace
 
 int answer_f0(F0Arguments& arguments) {
@@ -351,9 +366,16 @@ int answer_f0(F0Arguments& arguments) {
   if (!arguments.library.folders.empty()) (void)arguments.library.get();
   const F0Solver solver(f0_options(arguments.compute, arguments.library));
   const bool with_source = output.format != "csv";
-  const F0Job job{
-      solver,          table_options(arguments.tables), arguments.compute.axis_average, with_source,
-      arguments.stats, output.format == "html"};
+  const F0Job job{solver,
+                  table_options(arguments.tables),
+                  arguments.compute.axis_average,
+                  with_source,
+                  arguments.stats,
+                  output.format == "html",
+                  instrument_of(arguments, solver.options())};
+  if (job.instrument.aperture > 0)
+    remark(output,
+           "mean over the cone of aperture " + number(job.instrument.aperture, 4) + "; F82 is left out");
   if (!arguments.sweep.empty()) return answer_film_sweep(arguments, job);
   if (output.format == "svg")
     throw Error::at("--format svg", "without --sweep", "a stack and --sweep, or another form");

@@ -34,6 +34,12 @@ void add_f0(CommandLine& line) {
               "order of the rows, in place of that of the inputs: Y, from dark to bright")
       .words({"Y"});
   verb.option(
+          "--aperture", arguments->aperture,
+          "numerical aperture of an objective, below the index outside: the mean over its cone, pupil filled; no F82")
+      .value_name("NA");
+  verb.option("--scatter", arguments->scatter, "share of the reflectance that scatter takes away, 0 to 1")
+      .value_name("SHARE");
+  verb.option(
           "--sweep", arguments->sweep,
           "one stack with thicknesses of a layer (1 is the outermost): LAYER=FIRST:LAST:COUNT, as in "
           "1=0nm:400nm:81, or LAYER=VALUE,VALUE,...; with --format svg a strip of colours over thickness and angle")

@@ -163,6 +163,10 @@ std::vector<Member> result_members(const F0Row& row) {
                               {"doubtful", row.doubt.empty() ? null : json(row.doubt)},
                               {"clear", json_clear(row.clear)},
                               {"refused", has ? null : json(r.refusal)}};
+  if (row.instrument.any())
+    members.push_back({"instrument", json_object({{"aperture", json(row.instrument.aperture)},
+                                                  {"scatter", json(row.instrument.scatter)}},
+                                                 -1)});
   if (!row.layers.empty()) {
     std::vector<std::string> layers;
     for (const F0Layer& layer : row.layers)
