@@ -95,6 +95,8 @@ bool scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossFor
       const auto is_code = [&](std::size_t c) { return srgb_u8(f0[c]) == code[specular_channel + c]; };
       if (is_code(0) && is_code(1) && is_code(2)) to.specular = {f0[0], f0[1], f0[2]};
     }
+    // So is F0 that has no texture: of an F0 near 1 its code would double what is left of diffuse light.
+    if (m.specular_glossiness && !m.specular_glossiness_texture) to.specular = m.specular_f0;
     to.diffuse[3] = code[alpha_channel] / 255.0;
     to.roughness = converted_gloss(code[gloss_channel] / 255.0, gloss, GlossForm::roughness);
   }
