@@ -164,6 +164,17 @@ std::optional<IccColors> icc_colors(std::string_view profile) {
   return IccColors{*curve, name_of_primaries(columns)};
 }
 
+std::string primaries_name(const std::array<std::array<double, 2>, 3>& rgb,
+                           const std::array<double, 2>& white) {
+  constexpr double least_area = 1e-3;  // of the triangle of the primaries, twice
+  const auto across = [&](std::size_t c, std::size_t axis) { return rgb[c][axis] - rgb[0][axis]; };
+  if (!(white[1] > 0) || std::ranges::any_of(rgb, [](const auto& xy) { return !(xy[1] > 0); }) ||
+      std::abs(across(1, 0) * across(2, 1) - across(1, 1) * across(2, 0)) < least_area)
+    return "others";
+  const Xyz d50{0.9642, 1, 0.8249}, xyz{white[0] / white[1], 1, (1 - white[0] - white[1]) / white[1]};
+  return name_of_primaries(bradford(xyz, d50) * rgb_to_xyz(rgb, xyz));
+}
+
 std::string power_curve_name(double exponent) {
   if (std::abs(exponent - 1) < 0.01) return "linear";
   // 0.45455 is the power nearest to the sRGB curve, and countless sRGB files declare it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -29,6 +30,10 @@ struct IccColors {
 ///   returns   nullopt for profiles that are broken, that have tables in place of curves, that are of another
 ///             colour model, or that are too large
 std::optional<IccColors> icc_colors(std::string_view profile);
+
+/// The name of primaries, as IccColors has them, by x and y of red, green and blue and of white.
+std::string primaries_name(const std::array<std::array<double, 2>, 3>& rgb,
+                           const std::array<double, 2>& white);
 
 /// The name of a power curve: "linear", "power-2.2" (1/2.2, which countless sRGB files declare as the nearest
 /// power) or, for example, "gamma 0.6".

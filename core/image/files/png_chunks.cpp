@@ -51,6 +51,27 @@ void read_profile(ByteSource& bytes, const PngChunk& chunk, PictureHeader& out) 
   out.primaries = colors ? colors->primaries : "";
 }
 
+// The primaries of a cHRM chunk: x and y of white, red, green and blue, in units of 1/100000.
+std::string primaries_of(std::string_view chunk) {
+  std::array<std::array<double, 2>, 4> xy{};
+  for (std::size_t i = 0; i < 8; ++i) xy[i / 2][i % 2] = big_endian(chunk, 4 * i) / 1e5;
+  return primaries_name({xy[1], xy[2], xy[3]}, xy[0]);
+}
+
+// The code points of ITU-T H.273 that a cICP chunk holds.
+std::string primaries_of_code_point(char code) {
+  if (code == 1) return "sRGB";
+  if (code == 9) return "Rec. 2020";
+  return code == 12 ? "Display P3" : "others";
+}
+std::string curve_of_code_point(char code) {
+  if (code == 4) return "power-2.2";
+  if (code == 8) return "linear";
+  if (code == 13) return "srgb";
+  if (code == 16) return "PQ";
+  return code == 18 ? "HLG" : "a curve of its own";
+}
+
 }  // namespace
 
 std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
@@ -100,6 +121,7 @@ std::optional<PictureHeader> png_header(ByteSource& bytes) {
   if (!has_png_signature(bytes)) return std::nullopt;
   PictureHeader out;
   out.format = "png";
+  bool says_srgb = false;  // which wins over profile, primaries and power; cICP wins over all
   for (auto chunk = png_chunk_at(bytes, png_signature.size()); chunk && chunk->type != "IDAT";
        chunk = png_chunk_at(bytes, chunk->end())) {
     const std::string_view data = bytes.view(chunk->data(), std::min<std::size_t>(chunk->size, 13));
@@ -116,10 +138,17 @@ std::optional<PictureHeader> png_header(ByteSource& bytes) {
     }
     if (chunk->type == "gAMA" && chunk->size == 4 && out.colour_space.empty())
       out.colour_space = power_curve_name(big_endian(data, 0) / 1e5);
-    if (chunk->type == "iCCP") read_profile(bytes, *chunk, out);
+    if (chunk->type == "cHRM" && chunk->size == 32 && out.primaries.empty())
+      out.primaries = primaries_of(bytes.view(chunk->data(), 32));
+    if (chunk->type == "iCCP" && !says_srgb) read_profile(bytes, *chunk, out);
     if (chunk->type == "sRGB") {
+      says_srgb = true;
       out.colour_space = "srgb";
       out.primaries.clear();
+    }
+    if (chunk->type == "cICP" && chunk->size == 4) {
+      out.colour_space = curve_of_code_point(data[1]);
+      out.primaries = primaries_of_code_point(data[0]);
       break;
     }
   }

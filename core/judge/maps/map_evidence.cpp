@@ -20,6 +20,8 @@ double ratio_or_0(double over, double under) {
 
 // Length that is lost where the map varies, by averaging without making the normals unit again.
 bool is_shrunk(const NormalShape& s) {
+  // Averaging takes a part of the length; what has lost a third on the average is no map of normals.
+  if (3 * s.loss.y > static_cast<double>(s.loss.count)) return false;
   const double mean_loss = ratio_or_0(s.loss.xy, s.loss.x);
   // Rounding gives each colour an error of its own, which only many colours average out.
   const double least_loss = s.steep_colors >= 256 ? 0.001 : 0.0075;

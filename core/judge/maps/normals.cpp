@@ -151,6 +151,20 @@ void add_normals(NormalFacts& facts, const std::uint8_t* rgba, int width) {
   }
 }
 
+// Whether the mean normal leans as a curve makes it lean, and stands up without the curve. It tells maps whose
+// lengths lossy compression has spoilt.
+bool leans_by_curve(const NormalFacts& facts, NormalCodes how) {
+  constexpr double least_lean = 0.3, most_left = 0.15, least_up = 0.5;
+  const bool is_encoded = how == NormalCodes::encoded;
+  if (facts.mean(2) < least_up) return false;
+  for (std::size_t c = 0; c < 2; ++c) {
+    const double mean = facts.mean(c), code = (mean + 1) / 2;
+    const double left = 2 * (is_encoded ? srgb_decode(code) : srgb_encode(code)) - 1;
+    if ((is_encoded ? mean : -mean) < least_lean || std::abs(left) > most_left) return false;
+  }
+  return true;
+}
+
 std::optional<NormalCodes> normal_codes(const NormalFacts& facts) {
   if (facts.texels == 0) return std::nullopt;
   const auto is_all_over = [&](int blue) { return facts.least[2] == blue && facts.most[2] == blue; };
@@ -161,6 +175,9 @@ std::optional<NormalCodes> normal_codes(const NormalFacts& facts) {
              is_decoded = is_tenth_at_most(facts.not_unit_encoded, facts);
   if (2 * facts.not_unit > facts.texels && is_encoded != is_decoded)
     return is_encoded ? NormalCodes::encoded : NormalCodes::decoded;
+  if (2 * facts.not_unit > facts.texels)
+    for (const NormalCodes how : {NormalCodes::encoded, NormalCodes::decoded})
+      if (leans_by_curve(facts, how)) return how;
   return is_all_over(255) && fits_in_two ? NormalCodes::two_channels : NormalCodes::unclear;
 }
 

@@ -50,8 +50,8 @@ void add_normals(NormalFacts& facts, const std::uint8_t* rgba, int width);
 enum class NormalCodes { as_is, two_channels, encoded, decoded, unclear };
 
 /// As they are when no more than a tenth of the texels have another length than 1. Encoded or decoded when
-/// more than half of them have, and undoing it leaves no more than a tenth; a map of one colour is judged
-/// too. Nothing for no texels.
+/// more than half of them have, and undoing it leaves no more than a tenth, or lets a mean normal stand up
+/// that leans along both axes; a map of one colour is judged too. Nothing for no texels.
 std::optional<NormalCodes> normal_codes(const NormalFacts& facts);
 
 /// Whether every texel has the same three codes: a texture that a number could stand for.

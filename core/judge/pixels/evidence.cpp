@@ -110,4 +110,10 @@ const PlateauSummary* TileEvidence::region(RegionKind kind) const {
   return found == kinds.end() ? nullptr : &regions[static_cast<std::size_t>(found - kinds.begin())];
 }
 
+double DataCodes::share(std::size_t channel, int first, int last) const {
+  std::uint64_t count = 0;
+  for (int code = first; code <= last; ++code) count += codes[channel][static_cast<std::size_t>(code)];
+  return texels == 0 ? 0 : static_cast<double>(count) / static_cast<double>(texels);
+}
+
 }  // namespace etak

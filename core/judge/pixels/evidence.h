@@ -139,12 +139,26 @@ struct MaterialEvidence {
   bool is_material_file = true;  // citations are expected
 };
 
+/// Codes of a picture that holds roughness, metallic and the like, of evenly spread rows: at most 256.
+///   codes      of the first three channels
+///   coloured   texels whose three codes differ by more than 10
+struct DataCodes {
+  std::array<Histogram, 3> codes{};
+  std::uint64_t texels = 0, coloured = 0;
+
+  /// Share of a channel's texels with first <= code <= last, 0 to 1.
+  double share(std::size_t channel, int first, int last) const;
+};
+
 /// One opened picture.
+///   channels   what R, G, B and A hold, a letter for each (channel_word of names.h); empty: the usual of the role
 struct PictureEvidence {
   PictureHeader header;
   std::string label;
   FileRole role = FileRole::specular_gloss;
   std::optional<FloatFacts> floats;
+  std::string channels = {};
+  std::optional<DataCodes> data = {};
 };
 
 /// Everything that the rules judge of one target.

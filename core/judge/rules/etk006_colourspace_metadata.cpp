@@ -11,7 +11,7 @@ constinit const Rule etk006_colourspace_metadata{
     .needs = {Need::header},
     .source = "glTF-Validator, IMAGE_FEATURES_UNSUPPORTED; profiles by ICC.1:2010",
     .what =
-        "The file declares a linear or other curve where codes are taken as sRGB (or another transfer), or sRGB where the role is plain data, as roughness and metallic are. Or a colour profile in it "
+        "The file declares a linear or other curve where codes are taken as sRGB (or another transfer), or sRGB where the role is plain data, as roughness and metallic are. Or a colour profile in it, or a cICP or cHRM chunk of PNG, "
         "declares other primaries than sRGB's, such as Display P3 or Adobe RGB. A profile is judged by its curves and primaries, not by its name: curves within 2 codes of sRGB's are sRGB. One of tables "
         "(A2B0) in place of curves is not judged, nor one on plain data, where editors of pictures leave it.",
     .why = "Programs that obey the declaration and programs that ignore it show different materials.",

@@ -33,7 +33,12 @@ constinit const Rule etk702_normal_below_surface{
         finding.limit = "blue of 127";
         finding.message =
             "z is below 0 on " + area_text(map.normals.below, map.normals.texels) + " that were looked at";
-        if (share >= 0.25) finding.cause = "possible cause: normals of object space, or exchanged channels";
+        if (share < 0.25) return;
+        // Normals of any space have unit length, and colours have not.
+        if (2 * map.normals.not_unit > map.normals.texels)
+          finding.cause = "possible cause: a picture of colours; most texels have another length than 1";
+        else
+          finding.cause = "possible cause: normals of object space, or exchanged channels";
       });
     }};
 

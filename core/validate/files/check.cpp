@@ -84,7 +84,8 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
   MetalRoughSet set(target, door);
   int image = 0;
   for (const TargetFile& part : target.files)
-    evidence.headers.push_back({set.header(image++), part.label, role_in_set(part.role), {}});
+    evidence.headers.push_back(
+        {set.header(image++), part.label, role_in_set(part.role), {}, part.channels, {}});
   evidence.metal_rough = !set.is_specular();
   CheckTarget weighed = target;
   if (evidence.metal_rough) weighed.manifest.specular_weighs_diffuse = true;
@@ -96,6 +97,8 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
     return whole->in_memory().rows();
   };
   look_at_pixels(weighed, open, settings, threads, evidence, file);
+  for (std::size_t i = 0; i < target.files.size(); ++i)
+    if (const DataCodes* codes = set.data(i)) evidence.headers[i].data = *codes;
   if (const MetalRoughSet::Occlusion* occlusion = set.occlusion()) {
     MapEvidence& map = evidence.maps.emplace_back();
     map.role = FileRole::occlusion;

@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "core/base/error.h"
 #include "core/image/load.h"
 #include "core/judge/maps/map_survey.h"
 #include "core/validate/files/load.h"
@@ -21,14 +22,19 @@ struct OpenedBeside {
   std::unique_ptr<RowSource> rows;
   const TargetFile* file = nullptr;
 };
+//   own   the files are of the map's own check and must be readable; else another check tells that they are not
 OpenedBeside open_beside(const std::vector<TargetFile>& files, std::initializer_list<FileRole> roles,
-                         const PictureHeader& map, const PictureDoor& door) {
+                         const PictureHeader& map, const PictureDoor& door, bool own) {
   for (const FileRole role : roles)
     for (const TargetFile& file : files) {
       if (file.role != role) continue;
-      auto rows = open_target_file(file, door);
-      if (rows->header().width == map.width && rows->header().height == map.height)
-        return {std::move(rows), &file};
+      try {
+        auto rows = open_target_file(file, door);
+        if (rows->header().width == map.width && rows->header().height == map.height)
+          return {std::move(rows), &file};
+      } catch (const Error&) {
+        if (own) throw;
+      }
     }
   return {};
 }
@@ -45,9 +51,10 @@ std::optional<GlossPlace> gloss_place(const TargetFile& file) {
 
 MapEvidence normal_map(const TargetFile& file, const CheckTarget& target, const PictureDoor& door) {
   const auto rows = open_target_file(file, door);
-  const OpenedBeside height = open_beside(target.files, {FileRole::height}, rows->header(), door);
-  OpenedBeside gloss = open_beside(
-      target.beside, {FileRole::roughness, FileRole::gloss, FileRole::metal_rough}, rows->header(), door);
+  const OpenedBeside height = open_beside(target.files, {FileRole::height}, rows->header(), door, true);
+  OpenedBeside gloss =
+      open_beside(target.beside, {FileRole::roughness, FileRole::gloss, FileRole::metal_rough},
+                  rows->header(), door, false);
   const auto place = gloss.file == nullptr ? std::nullopt : gloss_place(*gloss.file);
   if (!place) gloss = {};
   MapEvidence out =
@@ -73,7 +80,7 @@ std::vector<MapEvidence> maps_of(const CheckTarget& target, const PictureDoor& d
       const OpenedBeside alpha =
           file.role == FileRole::emissive
               ? open_beside(target.beside, {FileRole::base_color, FileRole::diffuse_alpha}, rows->header(),
-                            door)
+                            door, false)
               : OpenedBeside{};
       out.push_back(survey_grey(*rows, file.role, alpha.rows.get()));
     }

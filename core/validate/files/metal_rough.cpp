@@ -78,6 +78,7 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
   for (const TargetFile& file : target.files) {
     const auto image = static_cast<int>(images_.size());
     images_.push_back(file.picture());
+    is_data_.push_back(traits(file.role).data);
     if (file.role == FileRole::base_color) material_.base_color_texture = texture(image);
     if (file.role == FileRole::diffuse_alpha) material_.diffuse_texture = texture(image);
     if (file.role == FileRole::specular_gloss) specular_ = image;
@@ -105,6 +106,7 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
   // A base colour without a metallic channel is taken for that of a dielectric.
   if (!whole && metallic_.image < 0) material_.metallic = 0;
   pictures_ = ScenePictures(images_, door);
+  data_ = std::make_shared<std::vector<DataCodes>>(target.files.size());
 }
 
 namespace {
@@ -119,10 +121,38 @@ void count_occlusion(const Image8& codes, MetalRoughSet::Occlusion& out) {
 
 }  // namespace
 
+const DataCodes* MetalRoughSet::data(std::size_t file) const {
+  return (*data_)[file].texels == 0 ? nullptr : &(*data_)[file];
+}
+
+// Counts the codes of some of the rows of an image, of which `codes` has those from `first_row` on.
+void MetalRoughSet::count_codes(std::size_t image, const Image8& codes, int first_row, int height) const {
+  constexpr int most_rows = 256, most_difference = 10;
+  if (image >= is_data_.size() || !is_data_[image]) return;
+  DataCodes& out = (*data_)[image];
+  const int step = 1 + (height - 1) / most_rows;
+  const std::size_t channels = std::min<std::size_t>(3, static_cast<std::size_t>(codes.channels));
+  for (int y = (step - first_row % step) % step; y < codes.height; y += step) {
+    const std::uint8_t* texel = codes.at(0, y).data();
+    for (int x = 0; x < codes.width; ++x, texel += codes.channels) {
+      for (std::size_t c = 0; c < channels; ++c) ++out.codes[c][texel[c]];
+      if (channels < 3) continue;
+      const auto [least, most] = std::minmax({texel[0], texel[1], texel[2]});
+      out.coloured += most - least > most_difference;
+    }
+    out.texels += static_cast<std::uint64_t>(codes.width);
+  }
+}
+
 LoadedPictures MetalRoughSet::convert() {
   if (occlusion_) {
     occlusion_->codes = {};
     count_occlusion(pictures_.codes(static_cast<int>(occlusion_->file)), *occlusion_);
+  }
+  for (std::size_t i = 0; i < is_data_.size(); ++i) {
+    (*data_)[i] = {};
+    if (is_data_[i])
+      count_codes(i, pictures_.codes(static_cast<int>(i)), 0, header(static_cast<int>(i)).height);
   }
   return convert(pictures_);
 }
@@ -175,6 +205,7 @@ class MetalRoughStrips {
   MetalRoughStrips(const MetalRoughSet& set, std::vector<std::unique_ptr<RowSource>> files)
       : set_(set), files_(std::move(files)), pictures_(set.images_, *set.door_) {
     if (set_.occlusion_) set_.occlusion_->codes = {};
+    std::ranges::fill(*set_.data_, DataCodes{});
   }
 
   void copy_rows(Image8 LoadedPictures::*picture, int first, int count, std::uint8_t* rgba,
@@ -193,6 +224,7 @@ class MetalRoughStrips {
         Image8 codes(files_[i]->header().width, count, 4);
         files_[i]->read_rows(codes.values.data(), 4 * static_cast<std::size_t>(codes.width), count);
         if (set_.occlusion_ && set_.occlusion_->file == i) count_occlusion(codes, *set_.occlusion_);
+        set_.count_codes(i, codes, end_, files_[i]->header().height);
         pictures_.set(static_cast<int>(i), std::move(codes));
       }
       strip_ = set_.convert(pictures_);

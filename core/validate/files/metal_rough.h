@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/judge/maps/map_evidence.h"
+#include "core/judge/pixels/evidence.h"
 #include "core/judge/target.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/load.h"
@@ -58,6 +59,8 @@ class MetalRoughSet {
     GreyFacts codes;
   };
   const Occlusion* occlusion() const { return occlusion_.get(); }
+  /// The codes of the n-th file by the same reading; null: it holds colours, or it was not read.
+  const DataCodes* data(std::size_t file) const;
   /// The header of the n-th file of the set, in the target's order.
   const PictureHeader& header(int file) { return pictures_.header(file); }
 
@@ -77,16 +80,19 @@ class MetalRoughSet {
     std::size_t index = 0;
     bool inverted = false;
   };
+  void count_codes(std::size_t image, const Image8& codes, int first_row, int height) const;
   void add_channels(std::string_view letters, int image);
   Image8 joined(ScenePictures& pictures) const;
   LoadedPictures convert(ScenePictures& pictures) const;
 
   const PictureDoor* door_;
   std::vector<PictureFile> images_;
+  std::vector<bool> is_data_;  // of each file
   GltfMaterial material_;
   Channel metallic_, roughness_;
   int specular_ = -1, joined_ = -1;  // indices of images; -1: none
   std::shared_ptr<Occlusion> occlusion_;
+  std::shared_ptr<std::vector<DataCodes>> data_;  // of each file that holds no colours
   ScenePictures pictures_;
 };
 

@@ -54,7 +54,9 @@ class Pictures {
         if (missing.empty())
           finds_.found.targets.push_back(std::move(found));
         else
-          finds_.found.lone.push_back(lone_set(found.target, missing, finds_.request.config.settings));
+          finds_.found.lone.push_back(
+              lone_set(found.target, missing, finds_.request.config.settings,
+                       finds_.request.list_files ? nullptr : &finds_.request.run.door));
       for (const NamedPicture& picture : group.pictures)
         if (picture.as == ListedAs::unknown) {
           if (!picture.companion) unknown_picture(picture.path, picture.by_hand, picture.note);

@@ -5,9 +5,11 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text/ascii.h"
 #include "core/judge/engine.h"
 #include "core/judge/rules.h"
+#include "core/validate/files/load.h"
 
 namespace etak {
 
@@ -37,9 +39,31 @@ FoundTarget target_of_set(const PictureSet& set, const Manifest& manifest, Pictu
   return found;
 }
 
-CheckedFile lone_set(const CheckTarget& target, const std::string& missing, const Settings& settings) {
+namespace {
+
+// Adds what cannot be read of a set that is not judged.
+void add_unreadable(const CheckTarget& target, const PictureDoor& door, CheckedFile& file) {
+  for (const TargetFile& part : target.files) {
+    try {
+      (void)open_target_file(part, door);
+    } catch (const Error& error) {
+      std::string message = error.what();
+      if (const std::string begin = part.path + ": "; message.starts_with(begin))
+        message.erase(0, begin.size());
+      file.findings.push_back(finding_of(rule_of_unreadable(message), Severity::error, part.label, message));
+      file.findings.back().value = "unreadable";
+      file.unreadable = true;
+    }
+  }
+}
+
+}  // namespace
+
+CheckedFile lone_set(const CheckTarget& target, const std::string& missing, const Settings& settings,
+                     const PictureDoor* door) {
   const Rule& rule = *find_rule("ETK002");
   CheckedFile file = checked_file_of(target);
+  if (door != nullptr) add_unreadable(target, *door, file);
   if (const Severity severity = severity_of(rule, settings); severity != Severity::off) {
     Finding& finding = file.findings.emplace_back(
         finding_of(rule, severity, file.path, missing + ": nothing of it was judged"));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/image/picture.h"
 #include "core/validate/find/find_targets.h"
 #include "core/validate/find/picture_namer.h"
 #include "core/validate/find/picture_sets.h"
@@ -14,8 +15,11 @@ namespace etak {
 ///   manifest   what the run states of all pictures
 FoundTarget target_of_set(const PictureSet& set, const Manifest& manifest, PictureNamer& namer);
 
-/// The result of a set that is not judged, because something of it is missing (ETK002).
-CheckedFile lone_set(const CheckTarget& target, const std::string& missing, const Settings& settings);
+/// The result of a set that is not judged, because something of it is missing (ETK002). Its files are opened, so that
+/// one that cannot be read is told.
+///   door   null: nothing is opened
+CheckedFile lone_set(const CheckTarget& target, const std::string& missing, const Settings& settings,
+                     const PictureDoor* door);
 
 /// Takes the marks of UDIM tiles away where there is no second tile: a number alone, such as that of
 /// chair_1234_diff.png, makes no set of tiles.

@@ -2,11 +2,13 @@
 // Folders with one defect each, judged as `etak validate FOLDER` judges them.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <map>
 
 #include "core/findings/output/formats.h"
 #include "tests/core/validate/checked.h"
 #include "tests/core/validate/planted_sets.h"
+#include "tests/core/validate/repaired.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -34,7 +36,7 @@ Severity worst_of(const ValidationReport& report, std::string_view rule) {
 
 }  // namespace
 
-TEST_CASE("of the planted sets at least 95 in a hundred are found, all with their severity", "[.]") {
+TEST_CASE("of the planted sets at least 95 in a hundred are found, all with their severity") {
   struct Score {
     int planted = 0, found = 0, severities = 0, statuses = 0;
   };
@@ -52,21 +54,56 @@ TEST_CASE("of the planted sets at least 95 in a hundred are found, all with thei
     }
     if (found != set.severity) missed += set.kind + ":\n" + validation_text(report);
   }
-  for (const auto& [kind, score] : scores)
-    WARN(kind << ": " << score.found << " of " << score.planted << " found, " << score.severities
-              << " of that severity, " << score.statuses << " of that exit status");
   INFO(missed);
+  for (const auto& [kind, score] : scores) {
+    CAPTURE(kind, score.planted, score.found, score.severities, score.statuses);
+    CHECK(100 * score.found >= 90 * score.planted);
+    CHECK(score.statuses == score.planted);
+  }
   CHECK(100 * all.found >= 95 * all.planted);
   CHECK(all.severities == all.found);
 }
 
-TEST_CASE("right sets give no warning and no error", "[.]") {
+TEST_CASE("right sets give no warning and no error") {
   int alarms = 0;
   for (const PlantedSet& set : right_sets(96, 11)) {
     const ValidationReport report = report_on_files(set.files);
     if (worst_of(report, {}) < Severity::warning) continue;
     ++alarms;
-    WARN(validation_text(report));
+    UNSCOPED_INFO(validation_text(report));
   }
   CHECK(alarms == 0);
+}
+
+TEST_CASE(
+    "a repair makes no normals unit whose mean leans, so that a second run does not pass what is wrong") {
+  for (const PlantedSet& set : planted_sets(2, 5)) {
+    if (set.rule != "ETK704") continue;
+    const TempFolder folder;
+    const std::string from = folder.file("in"), to = folder.file("out");
+    std::filesystem::create_directories(from);
+    // A lean without the curve: red and green are raised, and the lengths with them.
+    Image8 map = std::get<Image8>(loaded_codes([&] {
+      spit(from + "/" + set.files.begin()->first, set.files.begin()->second);
+      return from + "/" + set.files.begin()->first;
+    }()));
+    std::filesystem::remove(from + "/" + set.files.begin()->first);
+    each_texel(map, [](auto texel, int, int) { texel[1] = 128; });
+    put_pictures(from, {{"wall_normal.png", map}});
+    const RepairedFolder repaired = repair_folder(from, to);
+    INFO(validation_text(repaired.before) << validation_text(repaired.after));
+    CHECK(has_rule(repaired.before, "ETK701"));
+    CHECK(repaired.report.files.empty());
+  }
+}
+
+TEST_CASE("a file that cannot be read is no fault of the sound map beside it") {
+  for (const PlantedSet& set : planted_sets(1, 6)) {
+    if (set.rule != "ETK011") continue;
+    std::map<std::string, std::string> files = right_sets(1, 3).front().files;
+    files["wall_roughness.png"] = set.files.begin()->second;
+    for (const CheckedFile& file : report_on_files(files).files)
+      for (const Finding& finding : file.findings)
+        CHECK((finding.rule != "ETK011" || finding.file == "wall_roughness.png"));
+  }
 }
