@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "core/base/number.h"
 #include "core/judge/rules/rows.h"
 
@@ -59,13 +61,15 @@ constinit const Rule etk101_f0_forbidden_zone{
     .severity = Severity::error,
     .needs = {Need::bytes_b, Need::regions},
     .parameters = {{"match_bytes", 3, 3, "codes",
-                    "distance at which a plateau counts as a material of the library"}},
+                    "distance at which a plateau counts as a material of the library"},
+                   {"error_share", 0.01, 0.01, "%",
+                    "share of the tile's texels below which plateaus are at most a warning"}},
     .source =
         "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors below 0.4564 invalid; thresholds of the region analysis measured on synthetic edges (etak)",
     .what =
         "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 125 to 177 for greys). A warning where the colour is within 3 codes of a common material of the library that lies "
         "in the zone itself (silicon, graphite, hematite, titanium nitride), information when the file names a material of the zone and the colour is its own, and a warning where a metal-rough set is half "
-        "metal (ETK113). Regions, not texels: what filtering makes of an edge between metal and dielectric is left to ETK102. The smallest region is 32 texels and 0.001 % of the tile: a first limit of 0.01 "
+        "metal (ETK113). Plateaus of less than 0.01 % of a tile's texels are at most a warning. The F0 that a project takes from a cited record is measured and no mistake: it is information, which names the other datasets. Regions, not texels: what filtering makes of an edge between metal and dielectric is left to ETK102. The smallest region is 32 texels and 0.001 % of the tile: a first limit of 0.01 "
         "% would have hidden a patch of 10 x 10 in a tile of 1024 x 1024. Codes are rounded: what lies within half a code of a limit (0.0028 at 0.45, 0.0018 at 0.20) counts as outside, such as Hoffman's "
         "0.200, code 124, and indium antimonide, 0.4492.",
     .why =
@@ -87,7 +91,8 @@ constinit const Rule etk101_f0_forbidden_zone{
           shown = &plateau;
         }
         Finding& finding = check.report(tile, plateaus, *shown);
-        finding.severity = worst.severity;
+        const bool few = 100 * finding.area_share < check.parameter("error_share");
+        finding.severity = few ? std::min(worst.severity, check.at_most(Severity::warning)) : worst.severity;
         finding.limit = percent(zone.low) + " to " + percent(zone.high);
         const Explanation why =
             explain_f0(known_materials(check.settings), shown->specular, check.settings.transfer);
@@ -103,6 +108,9 @@ constinit const Rule etk101_f0_forbidden_zone{
           else
             finding.message += "; " + finding.cause;
         }
+        if (few && worst.severity > finding.severity)
+          finding.message += "; no error, because it is less than " +
+                             number(check.parameter("error_share"), 2) + " % of the texels";
         if (worst.softener != nullptr)
           finding.message += "; no error, because it is within " + number(check.parameter("match_bytes"), 2) +
                              " codes of " + worst.softener->id + ", which is common";

@@ -4,8 +4,11 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/color/luminance.h"
 #include "core/judge/check_pictures.h"
 #include "core/judge/engine.h"
+#include "core/judge/nearest.h"
 #include "core/judge/rules.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
@@ -25,6 +28,40 @@ bool black_is_right(const ProjectMaterial& material, const MaterialLibrary& libr
   const auto record = library.find(material.measured->material);
   return record && is_clear_body(*record, dataset_named(*record, material.measured->dataset, record->id),
                                  material.diffuse);
+}
+
+// Whether the F0 of a material is that of its record: not of a texture, nor beside a measured body.
+bool takes_measured_f0(const ProjectMaterial& material, const MaterialLibrary& library) {
+  if (!material.measured || material.texture(Channel::specular)) return false;
+  const auto record = library.find(material.measured->material);
+  return record && gives_f0(record->material_class);
+}
+
+// "; measured: jones; other datasets: smith 0.59, brown 0.57". The numbers are luminances of F0.
+std::string measured_text(const MeasuredF0& measured, const MaterialLibrary& library,
+                          const KnownMaterials& known) {
+  const auto record = library.find(measured.material);
+  if (!record) return {};
+  const std::string own = dataset_named(*record, measured.dataset, record->id).id;
+  std::string others;
+  const auto add = [&](const std::string& id, double luminance) {
+    others += (others.empty() ? "" : ", ") + id + ' ' + number(luminance, 2);
+  };
+  for (const Dataset& each : record->datasets) {
+    MeasuredF0 other = measured;
+    other.dataset = each.id;
+    if (each.id == own) continue;
+    try {
+      add(each.id, luminance_of(vec(find_f0(other, library).result.srgb_linear)));
+    } catch (const Error&) {
+      continue;  // its data give no F0
+    }
+  }
+  // An imported record may be of a material that the library has as well: "Ti, Palm 2018" of "Ti".
+  const std::string of = record->name.substr(0, record->name.find(','));
+  for (const KnownF0* each : known.f0_of(of))
+    if (each->id != record->id) add(each->id + '/' + each->dataset, each->luminance);
+  return "; it is measured (" + own + ')' + (others.empty() ? "" : "; other datasets: " + others);
 }
 
 CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary& library,
@@ -47,6 +84,10 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
   if (opaque) own.rules["ETK503"].severity = Severity::off;
   if (!has_packed_textures(material) && black_is_right(material, library))
     own.rules["ETK202"].severity = Severity::off;
+  const bool measured_f0 = takes_measured_f0(material, library);
+  const Rule& zone = *find_rule("ETK101");
+  if (measured_f0 && severity_of(zone, settings) > Severity::info)
+    own.rules["ETK101"].severity = Severity::info;
   CheckedFile out;
   const auto look = [&](MaterialPair& pair) {
     if (opaque || !has_packed_textures(material)) {
@@ -62,6 +103,9 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
     MaterialPair pair = pictures_of(material, library, door, most_texels);
     look(pair);
   }
+  for (Finding& each : out.findings)
+    if (measured_f0 && each.rule == zone.id)
+      each.message += measured_text(*material.measured, library, known_materials(settings));
   return out;
 }
 

@@ -37,6 +37,19 @@ std::string ids(const CheckedFile& file) {
 
 }  // namespace
 
+TEST_CASE("plateaus of F0 in the zone below a hundredth of a percent of the texels are no error") {
+  // Of 1024 x 1024 texels 100 are 0.0095 %, and 121 are 0.0115 %.
+  for (const auto& [side, severity] : {std::pair{10, Severity::warning}, {11, Severity::error}}) {
+    TextureSet set = flat_set(1024, {60, 60, 60}, {120, 110, 100});
+    fill(set.b, {500, 500, side, side}, {160, 160, 160});
+    const CheckedFile file = check_set(set);
+    REQUIRE(find(file, "ETK101") != nullptr);
+    CHECK(find(file, "ETK101")->severity == severity);
+    CHECK(contains(find(file, "ETK101")->message, "less than 0.01 % of the texels") ==
+          (severity == Severity::warning));
+  }
+}
+
 TEST_CASE("the rules stand in the order of their ids, each with all its texts") {
   std::set<std::string_view> slugs;
   std::string_view before;
