@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/light/lights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/light/studio.h"
 
 namespace etak {
 namespace {
@@ -116,8 +118,20 @@ LightSetup default_lights() {
 }
 
 void choose_environment(LightSetup& setup, const std::string& environment) {
-  setup.environment = environment;
-  if (!environment.empty()) setup.hemispheres.reset();
+  const std::string before = std::exchange(setup.environment, environment);
+  if (environment.empty() || environment == before) return;
+  setup.hemispheres.reset();
+  // The flashes of the studio are its own: another environment has lights of its own in its picture.
+  const LightSetup studio = studio_lights();
+  const auto gone = std::erase_if(setup.lights, [&](const Light& light) {
+    return std::ranges::find(studio.lights, light) != studio.lights.end();
+  });
+  const bool to_studio = environment == studio.environment;
+  if (to_studio) setup.lights.insert(setup.lights.begin(), studio.lights.begin(), studio.lights.end());
+  if (to_studio && setup.environment_scale == 1)
+    setup.environment_scale = studio.environment_scale;
+  else if (!to_studio && gone != 0 && setup.environment_scale == studio.environment_scale)
+    setup.environment_scale = 1;
 }
 
 Vec3 direction_of_angles(double elevation_deg, double azimuth_deg) {

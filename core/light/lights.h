@@ -104,8 +104,8 @@ std::string format_lights(const LightSetup& setup, int indent = 0);
 /// the user names no light are made with studio_lights() (core/light/studio.h).
 LightSetup default_lights();
 
-/// Sets the environment; an empty name removes it. An environment removes the hemispheres, which stand for the
-/// same light.
+/// Sets the environment; an empty name removes it. Another environment takes away what stands for the same light: the
+/// hemispheres, and the flashes of "studio" with its scale, which come back with it. Other lights stay.
 void choose_environment(LightSetup& setup, const std::string& environment);
 
 /// `count` white directional lights, spread over the half space in front of the object.

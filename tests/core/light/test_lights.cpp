@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/light/rows.h"
+#include "core/light/studio.h"
 
 using namespace etak;
 
@@ -154,6 +155,36 @@ TEST_CASE("an environment takes the place of the hemispheres, none brings none b
   setup = default_lights();
   choose_environment(setup, "");
   CHECK(setup == default_lights());
+}
+
+TEST_CASE("another environment takes the studio's flashes away, and the studio brings them back") {
+  LightSetup setup = studio_lights();
+  const std::size_t flashes = setup.lights.size();
+  REQUIRE(flashes == 2);
+  for (const NamedStudio& each : named_studios()) {
+    if (each.name == setup.environment) continue;
+    choose_environment(setup, std::string(each.name));
+    CHECK(setup.lights.empty());
+    CHECK(setup.environment_scale == 1);
+  }
+  choose_environment(setup, "studio");
+  CHECK(setup == studio_lights());
+  // Lights of one's own stay, a moved flash among them, and so does a scale of one's own.
+  setup.lights[0].intensity *= 2;
+  setup.environment_scale = 0.5;
+  choose_environment(setup, "sky.hdr");
+  REQUIRE(setup.lights.size() == 1);
+  CHECK(setup.lights[0].intensity == 2 * studio_lights().lights[0].intensity);
+  CHECK(setup.environment_scale == 0.5);
+  // Without an environment the flashes are all the light there is.
+  setup = studio_lights();
+  choose_environment(setup, "");
+  CHECK(setup.lights == studio_lights().lights);
+  // The same environment again changes nothing, so that flashes that were taken out stay out.
+  setup = studio_lights();
+  setup.lights.clear();
+  choose_environment(setup, "studio");
+  CHECK(setup.lights.empty());
 }
 
 TEST_CASE("names of kinds and forms come back") {
