@@ -237,8 +237,11 @@ class Writer {
     std::error_code failure;
     const fs::path whole = fs::absolute(picture, failure).lexically_normal();
     if (folder_.empty()) return sys::path_text(whole);
-    const fs::path near = whole.lexically_relative(folder_);
-    return near.empty() || *near.begin() == ".." ? sys::path_text(whole) : near.generic_string();
+    // Where the two have no folder in common, "../" would lead to the root, which differs between computers.
+    const bool far = whole.root_path() != folder_.root_path() || folder_.relative_path().empty() ||
+                     *whole.relative_path().begin() != *folder_.relative_path().begin();
+    const fs::path near = far ? fs::path() : whole.lexically_relative(folder_);
+    return near.empty() ? sys::path_text(whole) : near.generic_string();
   }
 
   std::string view(const ProjectView& view) const {

@@ -77,6 +77,21 @@ TEST_CASE("a project reads back as it was written") {
   CHECK(parse_project(format_project(project, ""), "elsewhere/copy.json") == project);
 }
 
+TEST_CASE(
+    "pictures in a folder beside the project's are named from there, so that both can be moved together") {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder.file("scenes"));
+  const std::string file = folder.file("scenes/p.json");
+  Project project = full();
+  project.materials[0].texture(Channel::gloss)->path = folder.file("pictures/g.png");
+  const std::string text = format_project(project, file);
+  CHECK(contains(text, "\"../pictures/g.png\""));
+  CHECK(parse_project(text, file) == project);
+  // Nothing but the root in common: the way there differs from computer to computer.
+  project.materials[0].texture(Channel::gloss)->path = "/etak-elsewhere/g.png";
+  CHECK(contains(format_project(project, file), "\"/etak-elsewhere/g.png\""));
+}
+
 TEST_CASE("an emission of which nothing is said is black, but white under a texture") {
   const TempFolder folder;
   const std::string file = folder.file("p.json");
