@@ -9,6 +9,7 @@
 
 #include "app/editor/document/files.h"
 #include "app/editor/options.h"
+#include "app/editor/panels/library_panel.h"
 #include "app/editor/screenshot.h"
 #include "app/editor/start_time.h"
 #include "app/editor/theme.h"
@@ -101,7 +102,10 @@ int main(int argc, char** argv) {
   if (options.time_start) return QApplication::exec();
   QTimer::singleShot(0, &window, [&] {
     // A recovered project is not saved yet: the file of the command line must not replace it unasked.
-    if (!window.offer_recovery() && !options.subjects.isEmpty()) window.open(options.subjects.front());
+    if (window.offer_recovery()) return;
+    if (!options.subjects.isEmpty()) return window.open(options.subjects.front());
+    // A metal to begin with, in place of a black ball.
+    emit window.library_panel().looked_at(QStringLiteral("gold"));
   });
   return QApplication::exec();
 }

@@ -7,6 +7,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFontDatabase>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -18,6 +19,7 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QToolButton>
 
 #include "app/editor/curves/curves_panel.h"
 #include "app/editor/document/files.h"
@@ -127,6 +129,7 @@ void Window::make_panels() {
   middle->setSizes({480, 190});
   setCentralWidget(middle);
   make_docks();
+  make_looks();
   connect_panels();
   prepare_lines();
 
@@ -143,6 +146,41 @@ void Window::make_panels() {
   statusBar()->addPermanentWidget(work_);
   statusBar()->addPermanentWidget(patch_);
   statusBar()->addPermanentWidget(backend_);
+}
+
+void Window::make_looks() {
+  auto* corner = new QWidget(tabs_);
+  corner->setAccessibleName(tr("Ways of looking"));
+  auto* row = new QHBoxLayout(corner);
+  row->setContentsMargins(0, 0, 4, 2);
+  row->setSpacing(2);
+  const auto add = [&](const QString& title, const QString& tip, void (*take)(ProjectView&)) {
+    auto* out = new QAction(title, this);
+    out->setCheckable(true);
+    out->setToolTip(tip);
+    connect(out, &QAction::triggered, this, [this, title, take] {
+      document_.change_view(title.toLower(), next_press_id(), take);
+      show_looks();  // the one that was chosen already stays so
+    });
+    auto* button = new QToolButton(corner);
+    button->setDefaultAction(out);
+    button->setAccessibleName(title);
+    row->addWidget(button);
+    return out;
+  };
+  look_action_ = add(
+      tr("Look"), tr("Environment behind, ground and a neutral tone curve, as in new projects"), take_look);
+  measure_action_ =
+      add(tr("Measure"), tr("Grey background, plain sRGB curve, exposure 0: 18 % is code 118"), take_measure);
+  tabs_->setCornerWidget(corner);
+  connect(&document_, &Document::view_changed, this, &Window::show_looks);
+  connect(&document_, &Document::replaced, this, &Window::show_looks);
+  show_looks();
+}
+
+void Window::show_looks() {
+  look_action_->setChecked(is_look(document_.project().view));
+  measure_action_->setChecked(is_measure(document_.project().view));
 }
 
 void Window::prepare_lines() {
@@ -218,7 +256,14 @@ void Window::connect_panels() {
           [this] { document_.remove(project_panel_->in_hand()); });
   connect(project_panel_, &ProjectPanel::picked, this, &Window::end_preview);
   connect(findings_, &FindingsPanel::go_to, this, &Window::go_to_finding);
-  connect(inspector_, &Inspector::told, this, &Window::tell);
+  connect(inspector_, &Inspector::told, this, [this](const QString& message) {
+    let_go_ = message;
+    tell(message);
+  });
+  // A measurement that undo or a reset brought back is not gone any more.
+  connect(&document_, &Document::material_changed, this, [this](int row) {
+    if (document_.project().materials[static_cast<std::size_t>(row)].measured) untell(let_go_);
+  });
   connect(&inspector_->textures(), &TextureSection::dropped, this, &Window::take_picture);
   connect(&inspector_->textures(), &TextureSection::refused, this,
           [this](const QString& why) { show_problems(tr("This cannot be taken"), {why}); });
@@ -257,7 +302,10 @@ void Window::keyPressEvent(QKeyEvent* event) {
                    : event->key() == Qt::Key_Left || event->key() == Qt::Key_Up  ? -1
                                                                                  : 0;
   const int count = static_cast<int>(document_.project().materials.size());
-  if (step == 0 || count == 0) return QMainWindow::keyPressEvent(event);
+  // Keys that another widget has no use for must not change the material behind the user's back.
+  const QWidget* at = focusWidget();
+  const bool here = at == nullptr || at == this || at == viewport_ || at == &project_panel_->list();
+  if (step == 0 || count == 0 || !here) return QMainWindow::keyPressEvent(event);
   end_preview();
   document_.set_current((document_.current() + step + count) % count);
 }
@@ -307,6 +355,11 @@ void Window::update_title() {
 void Window::tell(const QString& message) {
   constexpr int shown_ms = 8000;
   statusBar()->showMessage(message.section('\n', 0, 0), shown_ms);
+}
+
+void Window::untell(const QString& message) {
+  if (!message.isEmpty() && statusBar()->currentMessage() == message.section('\n', 0, 0))
+    statusBar()->clearMessage();
 }
 
 }  // namespace etak::editor

@@ -109,6 +109,9 @@ class Window : public QMainWindow {
   void make_docks();
   void connect_panels();
   void prepare_lines();
+  /// The two ways of looking, in a corner below the viewport and in the menu View.
+  void make_looks();
+  void show_looks();
   /// Takes the value that is typed in the focused field, although the user has not left the field yet.
   void take_typed();
   void make_menus();
@@ -151,6 +154,7 @@ class Window : public QMainWindow {
   void change_recent(const QString& path, bool keep);
   void fill_recent(QMenu* menu);
   void tell(const QString& message);
+  void untell(const QString& message);  // takes it away where it is still shown
   void show_problems(const QString& title, const QStringList& problems);
   void update_title();
   /// Does `work` on the thread that reads and writes files, then `done` with what it returns. The window is busy
@@ -213,6 +217,8 @@ class Window : public QMainWindow {
   PreviewBar* preview_bar_ = nullptr;
   QString previewed_;  // id of the library material in the preview
   QAction *undo_ = nullptr, *redo_ = nullptr, *end_preview_ = nullptr;
+  QAction *look_action_ = nullptr, *measure_action_ = nullptr;
+  QString let_go_;  // what was told of a measurement that a typed colour has replaced
   QTimer refresh_timer_;
 
   // The environment that is shown, and the key of the one that is wanted.

@@ -57,7 +57,7 @@ void Window::make_menus() {
 void Window::make_file_menu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
   action(menu, tr("&New project"), QKeySequence::New, [this] {
-    if (may_lose_changes()) document_.replace({}, {}, true);
+    if (may_lose_changes()) document_.replace(new_project(), {}, true);
   });
   action(menu, tr("&Open\u2026"), QKeySequence::Open, [this] { choose_and_open(); });
   QMenu* recent = menu->addMenu(tr("Open &recent"));
@@ -124,6 +124,8 @@ void Window::make_view_menu() {
   });
   action(menu, tr("&Pin as B"), QKeySequence(Qt::CTRL | Qt::Key_B),
          [this] { emit view_panel_->pin_asked(); });
+  menu->addAction(look_action_);
+  menu->addAction(measure_action_);
   const auto overlay = [&](const QString& title, Qt::Key key, bool Look::*on) {
     action(menu, title, QKeySequence(Qt::CTRL | key), [this, on] {
       look_.*on = !(look_.*on);

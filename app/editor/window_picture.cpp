@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <QAbstractSlider>
 #include <QAction>
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -54,6 +55,10 @@ LoadedEnvironment load(const LightSetup& lights, std::shared_ptr<const Image> pi
   };
   out.error = failure_of(work, QObject::tr("not enough memory for the environment"));
   return out;
+}
+
+QString preview_told(const QString& name) {
+  return QObject::tr("%1 of the library: Return adds it to the project, Esc ends the preview").arg(name);
 }
 
 }  // namespace
@@ -134,7 +139,7 @@ void Window::preview(const QString& id) {
   }
   previewed_ = id;
   const QString name = QString::fromStdString(record->name);
-  tell(tr("%1 of the library: Return adds it to the project, Esc ends the preview").arg(name));
+  tell(preview_told(name));
   preview_bar_->show_name(name);
   inspector_->show_preview(look_.preview);
   end_preview_->setEnabled(true);
@@ -143,6 +148,7 @@ void Window::preview(const QString& id) {
 
 void Window::end_preview() {
   if (!look_.preview) return;
+  untell(preview_told(QString::fromStdString(look_.preview->name)));
   look_.preview.reset();
   preview_bar_->hide();
   inspector_->show_preview({});
@@ -163,7 +169,8 @@ void Window::refresh() {
     return;
   // A textured material is not drawn without its textures: the last picture stays until they are read.
   if (!texture_view_->is_waiting() || !look_.textured || look_.preview)
-    viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()));
+    viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()),
+                         qobject_cast<const QAbstractSlider*>(focusWidget()));
   show_curves();
 }
 

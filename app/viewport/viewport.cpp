@@ -111,7 +111,7 @@ void Viewport::Private::refresh() {
   } else if (!display.is_of(state)) {
     open_display();
   }
-  const bool hurry = drag != Drag::none;
+  const bool hurry = q.is_hurried();
   if (gl != nullptr) gl->show_state(shown_state(), display, hurry);
   if (cpu != nullptr) cpu->show_state(shown_state(), display, hurry);
   refresh_overlay();
@@ -161,8 +161,18 @@ QSize Viewport::Private::picture_size() const {
   return q.size() * q.devicePixelRatioF();
 }
 
-void Viewport::set_state(const ViewState& state) {
+void Viewport::set_state(const ViewState& state, const QAbstractSlider* dragged) {
   if (state == d_->state) return;
+  if (dragged != nullptr && dragged->isSliderDown() && d_->slider != dragged) {
+    d_->slider = dragged;
+    connect(
+        dragged, &QAbstractSlider::sliderReleased, this,
+        [this] {
+          d_->slider.clear();
+          d_->refresh();  // draws the picture at its whole size again
+        },
+        Qt::SingleShotConnection);
+  }
   // The readout names the colours under the cursor until the cursor moves: the difference to a side that is
   // gone must not stay there.
   if (state.split != d_->state.split) d_->readout.clear();
@@ -199,6 +209,10 @@ QImage Viewport::grab_picture(bool refined) {
 bool Viewport::is_refining() const {
   return is_drawing() || (d_->gl != nullptr && d_->gl->is_refining()) ||
          (d_->cpu != nullptr && d_->cpu->is_refining());
+}
+
+bool Viewport::is_hurried() const {
+  return d_->drag != Private::Drag::none || (d_->slider && d_->slider->isSliderDown());
 }
 
 bool Viewport::is_drawing() const {

@@ -13,6 +13,7 @@
 
 #include "core/render/view_state.h"
 
+class QAbstractSlider;
 class QMimeData;
 
 namespace etak {
@@ -43,7 +44,9 @@ class Viewport : public QWidget {
   ~Viewport() override;
 
   /// Shows `state`. A state that cannot be drawn is kept, and a message is shown over a grey picture.
-  void set_state(const ViewState& state);
+  ///   dragged   the slider outside of the viewport that changes the state, or null. While it is down, fewer pixels are
+  ///             drawn where whole pictures take long, as in drags in the viewport
+  void set_state(const ViewState& state, const QAbstractSlider* dragged = nullptr);
   const ViewState& state() const;
 
   /// The picture of the state in device pixels, without marks and texts; waits until it is drawn. Grey where
@@ -52,6 +55,7 @@ class Viewport : public QWidget {
   QImage grab_picture(bool refined = false);
 
   bool is_drawing() const;   // a picture of this state or of an earlier one is still in work
+  bool is_hurried() const;   // the user drags, so that pictures may have fewer pixels
   bool is_refining() const;  // so, or a refined one is
 
   bool uses_gl() const;

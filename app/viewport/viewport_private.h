@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QAbstractSlider>
+#include <QPointer>
 #include <QTimer>
 
 #include "app/viewport/background.h"
@@ -35,6 +37,7 @@ class Viewport::Private {
   QPointF last;    // last position of the drag
   ViewPlace grip;  // vector from the cursor to the mark that it drags
   int held_light = 0;
+  QPointer<const QAbstractSlider> slider;  // outside of the viewport, which the user drags
   bool shift_held = false;
   QTimer hover_timer;
   QPointF hover_at;

@@ -6,10 +6,12 @@
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QToolButton>
+#include <QTreeView>
 
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/press_id.h"
+#include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/preview_bar.h"
@@ -534,6 +536,142 @@ class EditorHands : public QObject {
     QCOMPARE(steps_of(window), steps + 1);
     QCOMPARE(double{window->document().project().materials[0].gloss},
              double{window->document().project().materials[3].gloss});
+  }
+
+  void a_slider_that_is_dragged_thins_the_pictures() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    show_active(window);
+    QVERIFY(window.settle());
+    FieldSlider& slider = window->inspector().gloss().slider();
+    const QPoint from(slider.width() / 2, slider.height() / 2), to(slider.width() / 4, slider.height() / 2);
+    QTest::mousePress(&slider, Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, to, slider.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&slider, &move);
+    QTRY_VERIFY(window->viewport().is_hurried());
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, to);
+    QVERIFY(!window->viewport().is_hurried());
+    QVERIFY(window.settle());
+  }
+
+  void sentences_go_when_they_are_true_no_more() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    show_active(window);
+    LibraryPanel& library = window->library_panel();
+    click_row(library.list(), library_row(library, QStringLiteral("gold")));
+    QVERIFY2(told(window).contains(QLatin1String("Esc ends the preview")), qPrintable(told(window)));
+    QTest::keyClick(&library.list(), Qt::Key_Return);
+    QCOMPARE(window->document().material()->name, std::string("Gold"));
+    QVERIFY2(!told(window).contains(QLatin1String("preview")), qPrintable(told(window)));
+
+    auto* red = named<FineSpinBox>(window->inspector(), QStringLiteral("Specular, red, linear"));
+    red->setFocus();
+    red->selectAll();
+    QTest::keyClicks(red, QStringLiteral("0.5"));
+    QTest::keyClick(red, Qt::Key_Return);
+    QVERIFY2(told(window).contains(QLatin1String("measured no longer")), qPrintable(told(window)));
+    QTest::keyClick(red, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->document().material()->measured);
+    QVERIFY2(told(window).isEmpty(), qPrintable(told(window)));
+  }
+
+  void arrow_keys_change_the_material_from_viewport_and_list_alone() {
+    TestWindow window(true);
+    for (const char* id : {"gold", "copper", "silver"})
+      QVERIFY(window->use_library_material(QLatin1String(id)));
+    show_active(window);
+    window->inspector_tabs().setCurrentIndex(0);
+    auto* reset = named<QToolButton>(window->inspector(), QStringLiteral("Reset Gloss"));
+    QVERIFY(reset != nullptr);
+    reset->setFocus();
+    QTest::keyClick(reset, Qt::Key_Down);
+    QTest::keyClick(reset, Qt::Key_Right);
+    QCOMPARE(window->document().current(), 2);
+    window->viewport().setFocus();
+    QTest::keyClick(&window->viewport(), Qt::Key_Right);
+    QCOMPARE(window->document().current(), 0);
+  }
+
+  void findings_say_what_is_wrong_and_stay_marked_when_checked_again() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    show_active(window);
+    const auto* sums = named<QLabel>(window->findings(), QStringLiteral("Number of findings"));
+    QVERIFY(sums != nullptr);
+    QVERIFY2(sums->text().contains(QLatin1String("checking")), qPrintable(sums->text()));
+    for (int row = 0; row < 2; ++row) {
+      ProjectMaterial m = window->document().project().materials[static_cast<std::size_t>(row)];
+      m.measured.reset();
+      m.specular = {0.3, 0.3, 0.3};
+      window->document().edit(row, m, QStringLiteral("colour"), next_press_id());
+    }
+    QVERIFY(window.settle());
+    QVERIFY2(!sums->text().contains(QLatin1String("checking")), qPrintable(sums->text()));
+    QTreeView& table = window->findings().table();
+    QAbstractItemModel& rows = *table.model();
+    const auto row_of = [&](const QString& material) {
+      for (int row = 0; row < rows.rowCount(); ++row)
+        if (rows.index(row, 1).data() == QLatin1String("ETK101") && rows.index(row, 2).data() == material)
+          return rows.index(row, 0);
+      return QModelIndex();
+    };
+    const QString second = QString::fromStdString(window->document().project().materials[1].name);
+    QVERIFY(row_of(second).isValid());
+    QVERIFY2(rows.index(row_of(second).row(), 3)
+                 .data()
+                 .toString()
+                 .startsWith(QLatin1String("F0 lies where no common material is: F0 0.3")),
+             qPrintable(rows.index(row_of(second).row(), 3).data().toString()));
+    table.setCurrentIndex(row_of(second));
+    const auto* advice = named<QLabel>(window->findings(), QStringLiteral("Advice"));
+    QVERIFY(!advice->text().isEmpty());
+    QSignalSpy resets(&rows, &QAbstractItemModel::modelReset);
+    const QPersistentModelIndex marked(table.currentIndex());
+    // Another number of the same material, and the first one's finding gone by undo of its colour.
+    ProjectMaterial m = window->document().project().materials[1];
+    m.specular = {0.33, 0.33, 0.33};
+    window->document().edit(1, m, QStringLiteral("colour"), next_press_id());
+    m = window->document().project().materials[0];
+    m.specular = {0.9, 0.7, 0.3};
+    window->document().edit(0, m, QStringLiteral("colour"), next_press_id());
+    QVERIFY(window.settle());
+    QVERIFY(!row_of(QString::fromStdString(window->document().project().materials[0].name)).isValid());
+    QCOMPARE(resets.count(), 0);
+    QVERIFY(marked.isValid() && table.currentIndex() == marked && marked == row_of(second));
+    QVERIFY(rows.index(marked.row(), 3).data().toString().contains(QLatin1String("F0 0.33")));
+    QVERIFY(!advice->text().isEmpty());
+  }
+
+  void a_measured_f0_in_the_zone_is_a_note_that_names_the_other_datasets() {
+    TestWindow window(true);
+    // Titanium of another dataset, as its page comes in: F0 about 0.38.
+    const QString page = window.file(QStringLiteral("Palm.yml"));
+    write(page,
+          "REFERENCES: |\n    A. Tester. Test data. J. Tests 1, 2 (2018)\nDATA:\n  - type: tabulated nk\n"
+          "    data: |\n        0.3 1.5 1.9\n        0.5 1.5 1.9\n        0.9 1.5 1.9\n");
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    window->import({page});
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
+    QVERIFY(window.settle());
+    const ProjectMaterial imported = *window->document().material();
+    const auto zone = [&]() -> const Finding* {
+      for (const auto& [name, list] : window->validator().findings())
+        for (const Finding& each : list)
+          if (each.rule == "ETK101") return &each;
+      return nullptr;
+    };
+    QVERIFY(zone() != nullptr);
+    QVERIFY2(zone()->severity == Severity::info, zone()->message.c_str());
+    QVERIFY2(QString::fromStdString(zone()->message).contains(QLatin1String("it is measured")),
+             zone()->message.c_str());
+    // The same colour, typed, is the error that it was.
+    ProjectMaterial typed = imported;
+    typed.measured.reset();
+    window->document().edit(0, typed, QStringLiteral("typed"), next_press_id());
+    QVERIFY(window.settle());
+    QVERIFY(zone() != nullptr && zone()->severity == Severity::error);
   }
 
   void a_name_is_edited_by_f2_or_a_double_click_only() {

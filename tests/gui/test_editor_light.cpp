@@ -6,6 +6,8 @@
 #include <QToolButton>
 #include <filesystem>
 
+#include "app/editor/document/look.h"
+#include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/texture_section.h"
@@ -89,6 +91,83 @@ class EditorLight : public QObject {
     QVERIFY(window.settle());
   }
 
+  void new_projects_begin_with_look_and_measure_is_one_click_away() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("chalk")));
+    show_active(window);
+    const ProjectView look = view_of(window);
+    QVERIFY((look.backdrop == Backdrop{true, 0.3, true}) && look.tone == Tone::neutral);
+    auto* look_button = named<QToolButton>(*window.window, QStringLiteral("Look"));
+    auto* measure_button = named<QToolButton>(*window.window, QStringLiteral("Measure"));
+    QVERIFY(look_button != nullptr && measure_button != nullptr);
+    QVERIFY(look_button->isVisible() && look_button->isChecked() && !measure_button->isChecked());
+    const auto shown = [&] {
+      return window->viewport().state().backdrop == view_of(window).backdrop && !window->is_busy();
+    };
+    QVERIFY(QTest::qWaitFor(shown, long_ms));
+    // The ball's share that is white, at most: of every pixel of the picture, which has the bright lamps behind it.
+    const QImage picture = window->viewport().grab_picture();
+    int white = 0, ball = 0;
+    const auto is_ball = [&](int x, int y) {
+      const auto patch = window->viewport().patch_at(QPointF(x, y) / window->viewport().devicePixelRatioF());
+      return patch && patch->on_object;
+    };
+    for (int y = 0; y < picture.height(); y += 4)
+      for (int x = 0; x < picture.width(); x += 4) {
+        if (!is_ball(x, y)) continue;
+        ++ball;
+        const QColor c = picture.pixelColor(x, y);
+        white += c.red() == 255 || c.green() == 255 || c.blue() == 255;
+      }
+    qInfo("%d of %d points of chalk have a channel of 255", white, ball);
+    QVERIFY(ball > 500);
+    QVERIFY(white < 0.02 * ball);
+
+    QTest::mouseClick(measure_button, Qt::LeftButton);
+    QVERIFY(measure_button->isChecked() && !look_button->isChecked());
+    QVERIFY(view_of(window) == ProjectView());  // as projects had it that were saved without these settings
+    QTest::mouseClick(measure_button, Qt::LeftButton);
+    QVERIFY(measure_button->isChecked());
+    QTest::mouseClick(look_button, Qt::LeftButton);
+    QVERIFY(view_of(window) == look && look_button->isChecked());
+    // What a saved project says is kept.
+    Project old;
+    old.materials = window->document().project().materials;
+    const QString file = window.file(QStringLiteral("old.json"));
+    write(file, QByteArray::fromStdString(format_project(old, file.toStdString())));
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    window->open(file);
+    if (QMessageBox* box = window->document().is_saved() ? nullptr : open_message(window, 2000))
+      if (auto* discard = box->button(QMessageBox::Discard)) discard->click();
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, long_ms));
+    QVERIFY(view_of(window) == ProjectView() && measure_button->isChecked());
+    QVERIFY(window.settle());
+  }
+
+  void the_light_tab_begins_with_what_is_used_most() {
+    TestWindow window(true);
+    show_active(window);
+    window->inspector_tabs().setCurrentIndex(1);
+    QTest::qWait(50);
+    const QWidget& page = *window->inspector_tabs().currentWidget();
+    const auto top = [&](const char* field) {
+      const auto* found = named<QWidget>(page, QLatin1String(field));
+      return found == nullptr ? -1 : found->mapTo(&page, QPoint()).y();
+    };
+    int before = 0;
+    for (const char* field : {"Environment studio", "Environment turn, field", "Environment scale, field",
+                              "Exposure of the light, field", "Light in hand", "Two hemispheres on"}) {
+      QVERIFY2(top(field) > before, field);
+      before = top(field);
+    }
+    // The hemispheres are folded while they are off.
+    auto* upper = named<ColorField>(page, QStringLiteral("Upper hemisphere, colour"));
+    QVERIFY(upper != nullptr && !upper->isVisible());
+    named<QCheckBox>(page, QStringLiteral("Two hemispheres on"))->click();
+    QTRY_VERIFY(upper->isVisible());
+    QVERIFY(window.settle());
+  }
+
   void exposure_is_in_stops_and_false_colours_are_a_view() {
     TestWindow window(true);
     auto* exposure = named<NumberField>(*window.window, QStringLiteral("Exposure, field"));
@@ -115,11 +194,13 @@ class EditorLight : public QObject {
     auto* blur = named<NumberField>(*window.window, QStringLiteral("Blur, field"));
     auto* ground = named<QCheckBox>(*window.window, QStringLiteral("ground with contact shadow"));
     QVERIFY(behind != nullptr && blur != nullptr && ground != nullptr);
+    QVERIFY(blur->isEnabled() && ground->isChecked());
+    behind->setCurrentIndex(0);
+    emit behind->activated(0);
     QVERIFY(!blur->isEnabled());
     behind->setCurrentIndex(1);
     emit behind->activated(1);
     emit blur->edited(0.6, 3);
-    ground->click();
     QVERIFY((view_of(window).backdrop == Backdrop{true, 0.6, true}));
     QVERIFY(blur->isEnabled());
     QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().backdrop == view_of(window).backdrop; },
@@ -127,7 +208,7 @@ class EditorLight : public QObject {
     const Project& project = window->document().project();
     QVERIFY(parse_project(format_project(project, {}), "saved.json").view == project.view);
     for (int i = 0; i < 3; ++i) window->document().undo_stack().undo();
-    QVERIFY(view_of(window) == ProjectView());
+    QVERIFY(view_of(window) == new_project().view);
     QVERIFY(window.settle());
   }
 

@@ -43,7 +43,10 @@ Autosave::Autosave(Document& document, const QString& folder, QObject* parent)
   connect(&timer_, &QTimer::timeout, this, &Autosave::begin);
   // These signals come before the undo stack counts the change. Whether there is something to keep is
   // therefore asked in begin(), when the time is over.
-  const auto changed = [this] { timer_.start(); };
+  // The first change starts the time and later ones do not start it anew: a drag that goes on is kept, too.
+  const auto changed = [this] {
+    if (!timer_.isActive()) timer_.start();
+  };
   connect(&document, &Document::material_changed, this, changed);
   connect(&document, &Document::materials_added, this, changed);
   connect(&document, &Document::materials_removed, this, changed);

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "app/editor/document/look.h"
 #include "app/editor/fields/press_id.h"
 #include "core/base/error.h"
 #include "core/base/text/free_names.h"
@@ -57,7 +58,7 @@ class Edit : public QUndoCommand {
 }  // namespace
 
 Document::Document(std::shared_ptr<const MaterialLibrary> library, QObject* parent)
-    : QObject(parent), builtin_(std::move(library)), all_(builtin_) {
+    : QObject(parent), builtin_(std::move(library)), all_(builtin_), project_(new_project()) {
   undo_.setUndoLimit(1000);
   connect(&undo_, &QUndoStack::cleanChanged, this, &Document::saved_changed);
 }

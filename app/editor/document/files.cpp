@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "app/editor/document/look.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
@@ -159,6 +160,7 @@ Opened open_project(const QString& path, const MaterialLibrary& library) {
     if (!is_project(text)) {
       // A material file as the library has them: the project gets its record.
       const Material record = material_in(text, file);
+      out.project = new_project();
       out.project.spectra.push_back(record);
       out.project.materials.push_back(material_of(record));
     } else {

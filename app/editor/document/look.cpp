@@ -17,7 +17,44 @@ ViewSide side_of(const Document& document, const ProjectMaterial& m, const std::
   return out;
 }
 
+// Takes the display off, which both ways of looking do.
+void take_plain_display(ProjectView& view, Tone tone, const Backdrop& backdrop) {
+  view.config.clear();
+  view.display.clear();
+  view.view.clear();
+  view.tone = tone;
+  view.backdrop = backdrop;
+}
+
 }  // namespace
+
+void take_look(ProjectView& view) {
+  take_plain_display(view, Tone::neutral, {true, 0.3, true});
+}
+
+void take_measure(ProjectView& view) {
+  take_plain_display(view, Tone::plain, {});
+  view.background = ProjectView().background;
+  view.exposure = 1;
+}
+
+bool is_look(const ProjectView& view) {
+  ProjectView out = view;
+  take_look(out);
+  return out == view;
+}
+
+bool is_measure(const ProjectView& view) {
+  ProjectView out = view;
+  take_measure(out);
+  return out == view;
+}
+
+Project new_project() {
+  Project out;
+  take_look(out.view);
+  return out;
+}
 
 ViewState view_state_of(const Document& document, const Look& look,
                         std::shared_ptr<const Environment> environment,

@@ -17,6 +17,17 @@ struct Look {
   std::optional<ProjectMaterial> preview;  // a material of the library, shown in place of the current one
 };
 
+/// Two ways of looking. Look: the environment behind the object, blurred, a ground and a neutral tone curve, so that
+/// materials look as in a room. Measure: a grey background and the plain sRGB curve, so that 18 % is code 118 and
+/// each code is its number. Both leave shape, lights, exposure of Look and comparison as they are.
+void take_look(ProjectView& view);
+void take_measure(ProjectView& view);
+bool is_look(const ProjectView& view);
+bool is_measure(const ProjectView& view);
+
+/// A project without materials, which is looked at as by take_look().
+Project new_project();
+
 /// The state of the viewport for the current material.
 ///   environment   the environment of the project's view; null until it has been loaded
 ///   textures      the textures of the current material; null until they have been loaded

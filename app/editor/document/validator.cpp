@@ -24,6 +24,7 @@ Validator::Validator(Document& document, QObject* parent)
     for (int i = first; i < first + count; ++i)
       dirty_.insert(document_.project().materials[static_cast<std::size_t>(i)].name);
     timer_.start();
+    emit work_changed();
   };
   connect(&document, &Document::material_changed, this, [mark](int index) { mark(index, 1); });
   connect(&document, &Document::materials_added, this, mark);
@@ -39,6 +40,7 @@ Validator::Validator(Document& document, QObject* parent)
 void Validator::check_all() {
   for (const ProjectMaterial& each : document_.project().materials) dirty_.insert(each.name);
   timer_.start();
+  emit work_changed();
 }
 
 void Validator::drop_gone() {
@@ -57,7 +59,11 @@ void Validator::begin() {
     if (batch.size() == most_at_once) break;
     if (dirty_.erase(each.name) != 0) batch.push_back(each);
   }
-  if (batch.empty()) return dirty_.clear();
+  if (batch.empty()) {
+    dirty_.clear();
+    emit work_changed();
+    return;
+  }
   running_ = true;
   in_background(
       pool_, this,

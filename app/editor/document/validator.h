@@ -34,6 +34,7 @@ class Validator : public QObject {
 
  signals:
   void findings_changed();
+  void work_changed();  // is_idle() may have changed
 
  private:
   void begin();

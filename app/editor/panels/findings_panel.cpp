@@ -5,9 +5,12 @@
 #include <QLabel>
 #include <QStyledItemDelegate>
 #include <QTreeView>
+#include <algorithm>
+#include <tuple>
 
 #include "app/editor/panels/sections.h"
 #include "app/viewport/qt_text.h"
+#include "core/judge/rules.h"
 
 namespace etak::editor {
 namespace {
@@ -15,6 +18,18 @@ namespace {
 // "1 error", "2 errors"
 QString counted(std::size_t count, const QString& one, const QString& more) {
   return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : more);
+}
+
+// The place of a finding in the list: those of a rule stand together, and in it those of a material.
+auto place_of(const Finding& finding) {
+  return std::tie(finding.rule, finding.material, finding.file, finding.pointer, finding.tile);
+}
+
+// What is wrong, and where: "F0 lies where no common material is: F0 0.22 (byte 128, grey) on 64 px (100 %)".
+QString sentence_of(const Finding& finding) {
+  const Rule* rule = find_rule(finding.rule);
+  const QString message = qt_text(finding.message);
+  return rule == nullptr ? message : qt_text(rule->title) + QStringLiteral(": ") + message;
 }
 
 // Makes each row as high as its whole message needs.
@@ -39,12 +54,33 @@ class WholeMessage : public QStyledItemDelegate {
 }  // namespace
 
 void FindingsModel::set_findings(const std::map<std::string, std::vector<Finding>>& findings) {
-  beginResetModel();
-  rows_.clear();
-  for (const auto& [name, list] : findings) rows_.insert(rows_.end(), list.begin(), list.end());
-  std::stable_sort(rows_.begin(), rows_.end(),
-                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
-  endResetModel();
+  std::vector<Finding> next;
+  for (const auto& [name, list] : findings) next.insert(next.end(), list.begin(), list.end());
+  const auto before = [](const Finding& a, const Finding& b) { return place_of(a) < place_of(b); };
+  std::ranges::stable_sort(next, before);
+  // Both lists are in one order, so that one pass tells which rows went, came or stayed.
+  std::size_t at = 0;
+  for (const Finding& each : next) {
+    while (at < rows_.size() && before(rows_[at], each)) remove_row(at);
+    const int row = static_cast<int>(at);
+    if (at == rows_.size() || before(each, rows_[at])) {
+      beginInsertRows({}, row, row);
+      rows_.insert(rows_.begin() + row, each);
+      endInsertRows();
+    } else if (rows_[at] != each) {
+      rows_[at] = each;
+      emit dataChanged(index(row, 0), index(row, column_count - 1));
+    }
+    ++at;
+  }
+  while (at < rows_.size()) remove_row(at);
+}
+
+void FindingsModel::remove_row(std::size_t at) {
+  const int row = static_cast<int>(at);
+  beginRemoveRows({}, row, row);
+  rows_.erase(rows_.begin() + row);
+  endRemoveRows();
 }
 
 const Finding* FindingsModel::at(int row) const {
@@ -82,7 +118,7 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
     case material_column:
       return qt_text(finding->material);
     default:
-      return qt_text(finding->message);
+      return sentence_of(*finding);
   }
 }
 
@@ -127,26 +163,31 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
   const auto show = [this, &validator] {
     model_.set_findings(validator.findings());
     const auto [errors, warnings, infos] = model_.counts();
-    sums_->setText(model_.rowCount() == 0 ? tr("No findings")
-                                          : counted(errors, tr("error"), tr("errors")) + ", " +
-                                                counted(warnings, tr("warning"), tr("warnings")) + ", " +
-                                                counted(infos, tr("info"), tr("infos")));
-    advice_->clear();
+    const QString sums = counted(errors, tr("error"), tr("errors")) + ", " +
+                         counted(warnings, tr("warning"), tr("warnings")) + ", " +
+                         counted(infos, tr("info"), tr("infos"));
+    // What was found before stands there while the check runs, but nothing is called clean before it has.
+    const bool any = model_.rowCount() != 0;
+    sums_->setText(validator.is_idle() ? (any ? sums : tr("No findings"))
+                                       : (any ? tr("%1; checking\u2026").arg(sums) : tr("checking\u2026")));
+    show_advice();
   };
   connect(&validator, &Validator::findings_changed, this, show);
-  connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-          [this](const QModelIndex& now) {
-            const Finding* finding = model_.at(sorted_.mapToSource(now).row());
-            advice_->setText(
-                finding == nullptr
-                    ? QString()
-                    : qt_text(finding->cause.empty() ? finding->fix : finding->cause + ".\n" + finding->fix));
-          });
+  connect(&validator, &Validator::work_changed, this, show);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, &FindingsPanel::show_advice);
   connect(table_, &QTreeView::activated, this, [this](const QModelIndex& now) {
     if (const Finding* finding = model_.at(sorted_.mapToSource(now).row()))
       emit go_to(qt_text(finding->material), qt_text(finding->rule));
   });
   show();
+}
+
+void FindingsPanel::show_advice() {
+  const Finding* finding = model_.at(sorted_.mapToSource(table_->currentIndex()).row());
+  advice_->setText(
+      finding == nullptr
+          ? QString()
+          : qt_text(finding->cause.empty() ? finding->fix : finding->cause + ".\n" + finding->fix));
 }
 
 }  // namespace etak::editor

@@ -12,7 +12,8 @@ class QTreeView;
 
 namespace etak::editor {
 
-/// The findings of the validator as rows, the worst first.
+/// The findings of the validator as rows, those of a rule together. Rows that are found again stay the rows that
+/// they are, so that a view keeps what is marked in it.
 class FindingsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -29,6 +30,7 @@ class FindingsModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  void remove_row(std::size_t at);
   std::vector<Finding> rows_;
 };
 
@@ -46,6 +48,7 @@ class FindingsPanel : public QWidget {
   void go_to(const QString& material, const QString& rule);
 
  private:
+  void show_advice();
   FindingsModel model_;
   QSortFilterProxyModel sorted_;
   QTreeView* table_;

@@ -3,10 +3,12 @@
 
 #include <QButtonGroup>
 #include <QFileDialog>
+#include <QGridLayout>
 #include <QPixmap>
 #include <QPushButton>
 
 #include "app/editor/fields/add_button.h"
+#include "app/editor/panels/view_panel.h"
 #include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
@@ -17,7 +19,8 @@
 namespace etak::editor {
 namespace {
 
-constexpr QSize icon_size(54, 27);
+constexpr QSize icon_size(92, 46);
+constexpr int strip_columns = 3;
 
 template <class Names>
 QStringList names_of(const Names& all) {
@@ -52,9 +55,9 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
           if (v.lights.hemispheres) change(*v.lights.hemispheres);
         });
       }) {
+  make_environment();
   make_light();
   make_hemispheres();
-  make_environment();
   view_.check(
       {tr("Irradiance as E over pi"), tr("irradiance as E / \u03c0, as in the sources"),
        tr("Lights are given so that a white diffuse surface has their colour, as the articles have it"),
@@ -150,6 +153,11 @@ void LightPanel::make_hemispheres() {
                                      v.lights.hemispheres =
                                          on ? std::optional<Hemispheres>(Hemispheres{}) : std::nullopt;
                                    }});
+  // Folded while they are off, as in most projects.
+  view_.shows({}, {}, [rows = &section.rows()](const ProjectView& view) {
+    for (int row = 1; row < rows->rowCount(); ++row)
+      rows->setRowVisible(row, view.lights.hemispheres.has_value());
+  });
   hemispheres_.in(section);
   hemispheres_.color({tr("Upper hemisphere"), tr("Upper"),
                       tr("Linear colour of the half sphere around the axis: its radiance in W/(m\u00b2 sr)")},
@@ -171,13 +179,20 @@ void LightPanel::make_hemispheres() {
 // The computed environments as pictures. The one that lights the scene is pressed; where it is a file or none,
 // no button is.
 void LightPanel::make_strip(Section& section) {
-  QHBoxLayout& row = section.add_line(tr("Computed environments"));
-  row.setSpacing(2);
+  auto* room = new QWidget(&section);
+  room->setAccessibleName(tr("Computed environments"));
+  auto* grid = new QGridLayout(room);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(2);
+  section.add(room);
   strip_ = new QButtonGroup(this);
   strip_->setExclusive(false);
   for (const NamedStudio& each : named_studios()) {
-    auto* button = add_button(row, {}, tr("%1: %2").arg(qt_text(each.name), qt_text(each.title)),
-                              tr("Environment %1").arg(qt_text(each.name)));
+    auto* button = new QToolButton(room);
+    button->setToolTip(tr("%1: %2").arg(qt_text(each.name), qt_text(each.title)));
+    button->setAccessibleName(tr("Environment %1").arg(qt_text(each.name)));
+    const int at = static_cast<int>(strip_->buttons().size());
+    grid->addWidget(button, at / strip_columns, at % strip_columns);
     button->setCheckable(true);
     button->setAutoRaise(true);
     button->setIconSize(icon_size);
@@ -187,7 +202,7 @@ void LightPanel::make_strip(Section& section) {
       show_view();  // a button that was pressed already stays so
     });
   }
-  row.addStretch(1);
+  grid->setColumnStretch(strip_columns, 1);
 }
 
 // The pictures of the strip are drawn when they are seen first, not while the program starts.
@@ -226,13 +241,17 @@ void LightPanel::make_environment() {
     if (!file.isEmpty()) set_environment(file);
   });
   view_.in(section);
+  view_.number({tr("Environment turn"), tr("Turn \u00b0"),
+                tr("Turn of the environment about the upright axis, in degrees")},
+               {-180, 180, 0}, &ProjectView::environment_turn_deg);
   view_.number(
       {tr("Environment scale"), tr("Scale \u00d7"),
        tr("Factor of the picture's values, which make its radiance in W/(m\u00b2 sr)")},
       {0, 4, 1, 0, 1e6}, [](auto& v) -> auto& { return v.lights.environment_scale; });
-  view_.number({tr("Environment turn"), tr("Turn \u00b0"),
-                tr("Turn of the environment about the upright axis, in degrees")},
-               {-180, 180, 0}, &ProjectView::environment_turn_deg);
+  view_.number({tr("Exposure of the light"), tr("Exposure EV"),
+                tr("In stops (EV): each one more doubles the light; the same number as in the tab View"),
+                tr("exposure")},
+               exposure_range, stops_of_exposure());
 }
 
 void LightPanel::set_environment(const QString& name) {
@@ -267,9 +286,10 @@ void LightPanel::show_view() {
   const LightSetup& lights = view.lights;
   const int row =
       std::clamp(which_->currentIndex(), 0, std::max(0, static_cast<int>(lights.lights.size()) - 1));
-  which_->clear();
+  QStringList all;
   for (std::size_t i = 0; i < lights.lights.size(); ++i)
-    which_->addItem(tr("%1: %2").arg(i + 1).arg(qt_text(name(lights.lights[i].kind))));
+    all << tr("%1: %2").arg(i + 1).arg(qt_text(name(lights.lights[i].kind)));
+  which_->show_items(all);
   const bool any = !lights.lights.empty();
   which_->setCurrentIndex(any ? row : -1);
   const Light light = any ? lights.lights[static_cast<std::size_t>(row)] : Light{};

@@ -15,6 +15,14 @@ QuietComboBox::QuietComboBox(const QString& name, QWidget* parent) : QComboBox(p
   setMinimumContentsLength(8);
 }
 
+void QuietComboBox::show_items(const QStringList& items) {
+  bool same = count() == items.size();
+  for (int i = 0; same && i < count(); ++i) same = itemText(i) == items[i];
+  if (same) return;
+  clear();
+  addItems(items);
+}
+
 void QuietComboBox::wheelEvent(QWheelEvent* event) {
   if (hasFocus())
     QComboBox::wheelEvent(event);

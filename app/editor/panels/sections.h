@@ -17,6 +17,8 @@ class QuietComboBox : public QComboBox {
 
  public:
   explicit QuietComboBox(const QString& name, QWidget* parent = nullptr);
+  /// Has these items. An open list and the chosen item stay where they are the same already.
+  void show_items(const QStringList& items);
 
  protected:
   void wheelEvent(QWheelEvent* event) override;

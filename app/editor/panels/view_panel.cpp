@@ -19,7 +19,6 @@ namespace etak::editor {
 namespace {
 
 constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like, Tone::false_color};
-constexpr double most_stops = 8;
 
 // The titles that the registry gives the tone curves.
 QStringList tone_titles() {
@@ -67,10 +66,7 @@ void ViewPanel::make_display() {
   view_.in(section).number(
       {tr("Exposure"), tr("Exposure EV"),
        tr("In stops (EV): each one more doubles the light. The view \"false colours of exposure\" shows how many stops above or below 18 % grey each place is")},
-      {-most_stops, most_stops, 0},
-      // A file may hold 0, which is no number of stops.
-      Computed{[](const ProjectView& v) { return std::log2(std::max(v.exposure, 1e-9)); },
-               [](ProjectView& v, double stops) { v.exposure = std::exp2(stops); }});
+      exposure_range, stops_of_exposure());
   display_ = new QuietComboBox(tr("Display"), &section);
   view_of_display_ = new QuietComboBox(tr("View of the display"), &section);
   section.add(
@@ -195,8 +191,7 @@ void ViewPanel::make_shape() {
       if (const Model* model = find_model(m->specular_model))
         for (const Parameter& each : model->parameters)
           if (!each.color && each.role != Role::gloss) parameters << qt_text(each.name);
-    parameter->clear();
-    parameter->addItems(parameters);
+    parameter->show_items(parameters);
     parameter->setCurrentText(qt_text(view.wedge.parameter));
   });
   auto* steps = new FineSpinBox(&section);
@@ -275,8 +270,7 @@ void ViewPanel::show_look() {
   display_->setCurrentIndex(view.display.empty() ? 0
                                                  : std::max(0, display_->findText(qt_text(view.display))));
   const QStringList views = display_->currentData().toStringList();
-  view_of_display_->clear();
-  view_of_display_->addItems(views);
+  view_of_display_->show_items(views);
   if (!view.view.empty()) view_of_display_->setCurrentText(qt_text(view.view));
   if (view.display.empty())
     view_of_display_->setCurrentIndex(static_cast<int>(std::ranges::find(tones, view.tone) - tones.begin()));

@@ -7,6 +7,13 @@
 
 namespace etak::editor {
 
+/// The exposure as a field shows it, in stops. A file may hold 0, which is no number of stops.
+inline constexpr FieldRange exposure_range{-8, 8, 0};
+inline auto stops_of_exposure() {
+  return Computed{[](const ProjectView& v) { return std::log2(std::max(v.exposure, 1e-9)); },
+                  [](ProjectView& v, double stops) { v.exposure = std::exp2(stops); }};
+}
+
 /// Fields for exposure, display, backdrop, shape, comparison and overlays.
 class ViewPanel : public PanelScroll {
   Q_OBJECT
