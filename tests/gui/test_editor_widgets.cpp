@@ -16,6 +16,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 
+#include "app/editor/document/look.h"
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/eyedropper.h"
 #include "app/editor/fields/number_field.h"
@@ -86,6 +87,7 @@ class EditorWidgets : public QObject {
 
   void the_srgb_curve_has_the_tone_curves_as_its_views() {
     TestWindow window(true);
+    window->document().replace({}, {}, true);  // with the view that projects have in which none is saved
     window->show();
     QComboBox& view = combo_called(window, "View of the display");
     QCOMPARE(view.count(), 4);
@@ -385,7 +387,7 @@ class EditorWidgets : public QObject {
     document.edit_view(view, QStringLiteral("exposure"), 2);
     const Project end = document.project();
     while (document.undo_stack().canUndo()) document.undo_stack().undo();
-    QVERIFY(document.project() == Project{});
+    QVERIFY(document.project() == new_project());
     while (document.undo_stack().canRedo()) document.undo_stack().redo();
     QVERIFY(document.project() == end);
   }
