@@ -21,8 +21,6 @@ struct GlJob {
   int band =
       0;  // of a refined state: which rows are drawn, so that a frame can be given up between two of them
   static constexpr int band_rows = 32;
-  GLsync shown =
-      nullptr;  // a fence behind what reads the frames before; the drawing waits for it and deletes it
   bool is_last_band() const { return (band + 1) * band_rows >= size.height(); }
 };
 

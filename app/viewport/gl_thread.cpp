@@ -5,7 +5,6 @@
 #include <exception>
 
 #include "app/viewport/background.h"
-#include "app/viewport/gl_program.h"
 #include "core/base/error.h"
 
 namespace etak {
@@ -55,16 +54,10 @@ void GlThread::draw(const GlJob& job, std::function<void(const GlFrame&)> done) 
       [this, job, done = std::move(done)] {
         GlFrame frame;
         const QString failure = failure_of([&] {
-          if (!context_->makeCurrent(&surface_)) {
+          if (context_->makeCurrent(&surface_))
+            frame = frames().draw(job);
+          else
             frame.context_lost = true;
-            return;
-          }
-          if (job.shown != nullptr) {
-            // The GPU waits here, and no thread does.
-            current_gl().glWaitSync(job.shown, 0, GL_TIMEOUT_IGNORED);
-            current_gl().glDeleteSync(job.shown);
-          }
-          frame = frames().draw(job);
         });
         if (!failure.isEmpty()) frame.failed = failure;
         QMetaObject::invokeMethod(

@@ -5,7 +5,6 @@
 #include <QGuiApplication>
 #include <QOpenGLContext>
 #include <QScopeGuard>
-#include <utility>
 
 #include "app/viewport/gl_program.h"
 #include "app/viewport/gl_thread.h"
@@ -59,7 +58,6 @@ void GlView::drop() {
   thread_.reset();
   frames_.reset();
   current_gl().glDeleteFramebuffers(1, &reader_);
-  if (shown_ != nullptr) current_gl().glDeleteSync(std::exchange(shown_, nullptr));
   doneCurrent();
   frame_ = {};
   drawing_ = fresh_ = false;
@@ -108,9 +106,7 @@ void GlView::begin() {
   if (frames_ && wants_more()) update();  // without a thread, the frame is drawn in paintGL()
   if (!thread_ || !wants_more() || drawing_ || picture_size().isEmpty()) return;
   drawing_ = true;
-  GlJob job = next_job();
-  job.shown = std::exchange(shown_, nullptr);
-  thread_->draw(job, [this](const GlFrame& frame) {
+  thread_->draw(next_job(), [this](const GlFrame& frame) {
     drawing_ = false;
     take(frame);
     update();
@@ -172,12 +168,8 @@ void GlView::show_frame() {
   gl.glBlitFramebuffer(shown.x(), shown.y(), shown.x() + shown.width(), shown.y() + shown.height(), x, y,
                        x + shown.width(), y + shown.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
-  // The thread will draw into this texture again, which must be read before: the next job waits for the fence. One
-  // that is behind an older one stands for both.
-  if (!thread_) return;
-  if (shown_ != nullptr) gl.glDeleteSync(shown_);
-  shown_ = gl.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  gl.glFlush();
+  // The thread will draw into this texture again, which must be read before.
+  gl.glFinish();
 }
 
 QImage GlView::picture(const ViewState& state, const ViewDisplay& display, const QSize& size) {

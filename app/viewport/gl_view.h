@@ -68,8 +68,6 @@ class GlView : public QOpenGLWidget {
   bool refining_ = false;  // the frame in work is a band of a refined one
   int band_ = -1;          // of the refined frame, that is drawn next; -1: none
   unsigned reader_ = 0;
-  GLsync shown_ =
-      nullptr;  // behind what read the frames last; null where no frame was shown since the last job
   QString gl_name_;
   bool hurry_ = false, threaded_, wanted_ = true, drawing_ = false, fresh_ = false, lost_ = false;
   FrameShare shares_;
