@@ -130,8 +130,8 @@ struct Project {
 Project parse_project(std::string_view text, const std::string& file);
 
 /// The text of a project file, each material on one line. Numbers are equal when they are read back.
-///   file   path that the text is to be saved under: pictures below its folder are named relative to it,
-///          others by absolute paths. Empty: all by absolute paths, for a copy that may be read from anywhere
+///   file   path that the text is to be saved under: pictures are named from its folder, by absolute paths where
+///          the two share none. Empty: all by absolute paths, for a copy that may be read from anywhere
 std::string format_project(const Project& project, const std::string& file);
 
 /// A project of one material and the spectra that it uses, for files of single materials. The comparison is
