@@ -125,6 +125,8 @@ std::string body_note(const ProjectMaterial& material, const FoundF0& found) {
     out = "the body is clear (" + clarity(found.material, found.chosen()).reason +
           "): exports say so; here alpha 0 lets the environment through, as a ball of " +
           number(1000 * clear_ball_m, 3) + " mm bends and absorbs it";
+  } else if (std::holds_alternative<Stack>(found.chosen().optics)) {
+    out = "layers on a base: drawn by their F0 and F82; the colours between these two angles are not theirs";
   }
   if (const DefaultGloss standard = default_gloss(found.material, clear); material.gloss == standard.gloss)
     out += (out.empty() ? "" : "\n") + default_gloss_remark(standard);

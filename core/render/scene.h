@@ -49,7 +49,8 @@ inline constexpr double clear_ball_m = 0.02;
 /// The surface of a library material. F0, F82 and n, k for each channel come from its spectrum. The diffuse
 /// colour is black for conductors and semiconductors, and `diffuse` for dielectrics. For materials of kind
 /// "surface", the measured reflectance is divided into a diffuse colour and an F0 of 0.04, or less where the
-/// body is darker than that (divided() in core/material/appearance.h). Throws Error for data that give no F0.
+/// body is darker than that (divided() in core/material/appearance.h). Of a stack of layers F0 and
+/// F82 are its own, and what lies between them is that of a bare metal. Throws Error for data that give no F0.
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
                          const Gloss& gloss);
 

@@ -83,8 +83,6 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
                          const Vec3& diffuse, const Gloss& gloss) {
   const std::string what = material.id + "/" + dataset.id;
   if (result.refused()) throw Error::at(what, "has no F0: " + result.refusal, "data over the visible range");
-  if (std::holds_alternative<Stack>(dataset.optics))
-    throw Error::at(what, "is a stack of layers, which is not drawn yet", "a bare material");
   const std::string_view kind = optical_kind(material.material_class);
   SurfaceValues out;
   out.gloss = gloss;
@@ -106,7 +104,7 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
     hint = log_n_hint(*constants, what);
   } else {
     for (std::size_t c = 0; c < 3; ++c) {
-      out.f82[c] = schlick82(out.f0[c]);
+      out.f82[c] = result.f82 ? vec(*result.f82)[c] : schlick82(out.f0[c]);
       // Where k is not known, the hint is that of a dielectric below the forbidden zone, and that of a metal
       // else.
       const double root = std::sqrt(std::clamp(out.f0[c], 0.0, 0.9999));

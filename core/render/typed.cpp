@@ -157,6 +157,9 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
                          const F0Options& options, std::vector<std::string>& remarks) {
   if (std::string remark = class_remark(material); !remark.empty())
     remarks.push_back(material.id + ": " + remark);
+  if (std::holds_alternative<Stack>(dataset.optics))
+    throw Error::at(material.id + "/" + dataset.id, "is a stack of layers, which is not drawn yet",
+                    "a bare material");
   const bool dielectric = optical_kind(material.material_class) == "dielectric";
   const Clarity body = clarity(material, dataset);
   const bool black = wishes.diffuse == Vec3{0, 0, 0}, clear = body.clear && black;
