@@ -195,9 +195,10 @@ def scene(n, material, more):
 
 
 def write_png(path, side, seed=0):
+    hue = 0 if path.endswith("_gloss.png") else 11  # a picture of one number a texel is grey
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    rows = b"".join(b"\0" + bytes((x * 37 + y * 59 + c * 11 + seed) * (seed + 1) % 199 for x in range(side) for c in range(3))
+    rows = b"".join(b"\0" + bytes((x * 37 + y * 59 + c * hue + seed) * (seed + 1) % 199 for x in range(side) for c in range(3))
                     for y in range(side))
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)) +
