@@ -81,7 +81,7 @@ LinePlot index_plot(const std::string& name, const OpticsCurves& curves) {
   k.add(curves.k);
   plot.left = n.empty() ? nice_axis("n", 0, 1) : nice_axis("n", n.least, n.most);
   if (n.empty()) {
-    plot.description = "reflectance data: no n and k";
+    plot.description = "no n and k: reflectance data, or layers of several media";
     return plot;
   }
   plot.description = "n " + number(n.least, 4) + " to " + number(n.most, 4) +

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/files/project_check.h"
 
+#include <algorithm>
+#include <array>
 #include <new>
 
 #include "core/base/error.h"
@@ -35,6 +37,25 @@ bool takes_measured_f0(const ProjectMaterial& material, const MaterialLibrary& l
   if (!material.measured || material.texture(Channel::specular)) return false;
   const auto record = library.find(material.measured->material);
   return record && gives_f0(record->material_class);
+}
+
+// The layers whose F0 a material has, as text; empty: it has that of a bare material.
+std::string layers_of(const ProjectMaterial& material, const MaterialLibrary& library) {
+  if (!takes_measured_f0(material, library)) return {};
+  const auto record = library.find(material.measured->material);
+  const Dataset& dataset = dataset_named(*record, material.measured->dataset, record->id);
+  const auto* stack = std::get_if<Stack>(&dataset.optics);
+  return stack == nullptr ? std::string() : stack->text;
+}
+
+// Makes notes of what the rules for bare surfaces say of colours that layers make by interference.
+void explain_layers(const std::string& layers, std::vector<Finding>& findings) {
+  constexpr std::array<std::string_view, 4> rules{"ETK101", "ETK106", "ETK202", "ETK609"};
+  for (Finding& each : findings) {
+    if (std::ranges::find(rules, each.rule) == rules.end()) continue;
+    each.severity = std::min(each.severity, Severity::info);
+    each.message += "; layers make such colours by interference: " + layers;
+  }
 }
 
 // "; measured: jones; other datasets: smith 0.59, brown 0.57". The numbers are luminances of F0.
@@ -154,6 +175,11 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
   };
   part([&] { return check_texels(material, library, door, settings, most_texels, threads, kept); });
   if (material.measured) part([&] { return check_record(material, library, settings); });
+  part([&] {
+    if (const std::string layers = layers_of(material, library); !layers.empty())
+      explain_layers(layers, out.findings);
+    return CheckedFile{};
+  });
   for (Finding& each : out.findings) each.material = material.name;
   return out;
 }

@@ -9,7 +9,9 @@
 #include <thread>
 
 #include "core/image/files/png.h"
+#include "core/image/image_io.h"
 #include "core/pages/finding_pictures.h"
+#include "core/validate/files/project_check.h"
 #include "tests/core/image/png_of.h"
 #include "tests/core/judge/corpus.h"
 #include "tests/core/validate/checked.h"
@@ -227,4 +229,26 @@ TEST_CASE("every finding with a place gets a mask") {
   const std::string masks_folder = folder.file("masks");
   masks(report, {}, {}, masks_folder, 1)->commit();
   CHECK(std::filesystem::exists(masks_folder + "/crate_spec.png.ETK101.png"));
+}
+
+TEST_CASE("the colour of layers is a note that names them, and the same colour typed is an error") {
+  const MaterialLibrary library = MaterialLibrary::builtin();
+  ProjectMaterial layers;
+  layers.name = "blue";
+  layers.measured = MeasuredF0{"anodised_titanium_50nm", {}, {}, {}};
+  layers.specular = {0.027071, 0.17335, 0.46205};
+  layers.diffuse = {0, 0, 0};
+  layers.alpha_mode = AlphaMode::opaque;
+  const CheckedFile noted = check_material(layers, library, picture_door(), {});
+  CHECK(!noted.findings.empty());
+  for (const Finding& each : noted.findings) {
+    INFO(each.rule << ' ' << each.message);
+    CHECK(each.severity == Severity::info);
+    if (each.rule == "ETK106") CHECK(contains(each.message, "titania_amorphous:50nm/titanium"));
+  }
+  layers.measured.reset();
+  bool is_error = false;
+  for (const Finding& each : check_material(layers, library, picture_door(), {}).findings)
+    is_error = is_error || (each.rule == "ETK106" && each.severity == Severity::error);
+  CHECK(is_error);
 }
