@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
@@ -139,14 +140,26 @@ void open_file(Input& out, const std::string& path) {
   check_spec(out.reader->spec(), path);
 }
 
+// Returns work(). The readers of some formats throw std::length_error where the sizes in a broken file cannot be.
+template <class Work>
+auto with_possible_sizes(const std::string& label, Work work) {
+  try {
+    return work();
+  } catch (const std::length_error&) {
+    throw Error::at(label, "is broken: sizes in it cannot be", "a whole picture");
+  }
+}
+
 // Calls use(input), and throws Error if the file has changed meanwhile.
 template <class Use>
 auto with_file(const std::string& path, Use use) {
   Input input;
   input.file = std::make_unique<SteadyFile>(path, largest_picture_bytes);
-  auto out = input.file->read_checked([&] {
-    open_file(input, path);
-    return use(input);
+  auto out = with_possible_sizes(path, [&] {
+    return input.file->read_checked([&] {
+      open_file(input, path);
+      return use(input);
+    });
   });
   input.file->check_unchanged();
   return out;
@@ -244,7 +257,7 @@ Picture read_picture(const std::string& path) {
 }
 
 Picture read_picture(std::string_view bytes, const std::string& label) {
-  return read_any(open_bytes(bytes, label), label);
+  return with_possible_sizes(label, [&] { return read_any(open_bytes(bytes, label), label); });
 }
 
 PictureDoor picture_door() {
