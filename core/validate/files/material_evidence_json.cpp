@@ -132,14 +132,13 @@ void set_rows(SpectralRows& rows, const Optics& optics) {
   if (const auto* measured = std::get_if<Reflectance>(&optics)) {
     rows.wavelength_nm = measured->spectrum.wavelength_nm;
     rows.reflectance = measured->spectrum.value;
-  } else if (std::holds_alternative<OpticalConstants>(optics)) {
-    const auto& constants = std::get<OpticalConstants>(optics);
-    if (const auto* table = std::get_if<Spectrum>(&constants.n)) {
+  } else if (const auto* constants = std::get_if<OpticalConstants>(&optics)) {
+    if (const auto* table = std::get_if<Spectrum>(&constants->n)) {
       rows.wavelength_nm = table->wavelength_nm;
       rows.n = table->value;
-      if (constants.k && constants.k->wavelength_nm == table->wavelength_nm) rows.k = constants.k->value;
+      if (constants->k && constants->k->wavelength_nm == table->wavelength_nm) rows.k = constants->k->value;
     } else {
-      const auto& formula = std::get<DispersionFormula>(constants.n);
+      const auto& formula = std::get<DispersionFormula>(constants->n);
       rows.is_formula = true;
       rows.first_nm = formula.first_nm;
       rows.last_nm = formula.last_nm;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -39,22 +40,15 @@ bool takes_measured_f0(const ProjectMaterial& material, const MaterialLibrary& l
   return record && gives_f0(record->material_class);
 }
 
-// The layers whose F0 a material has, as text; empty: it has that of a bare material.
-std::string layers_of(const ProjectMaterial& material, const MaterialLibrary& library) {
-  if (!takes_measured_f0(material, library)) return {};
-  const auto record = library.find(material.measured->material);
-  const Dataset& dataset = dataset_named(*record, material.measured->dataset, record->id);
-  const auto* stack = std::get_if<Stack>(&dataset.optics);
-  return stack == nullptr ? std::string() : stack->text;
-}
-
 // Makes notes of what the rules for bare surfaces say of colours that layers make by interference.
-void explain_layers(const std::string& layers, std::vector<Finding>& findings) {
+void explain_layers(const Dataset& dataset, std::vector<Finding>& findings) {
+  const auto* stack = std::get_if<Stack>(&dataset.optics);
+  if (stack == nullptr) return;
   constexpr std::array<std::string_view, 4> rules{"ETK101", "ETK106", "ETK202", "ETK609"};
   for (Finding& each : findings) {
     if (std::ranges::find(rules, each.rule) == rules.end()) continue;
     each.severity = std::min(each.severity, Severity::info);
-    each.message += "; layers make such colours by interference: " + layers;
+    each.message += "; layers make such colours by interference: " + stack->text;
   }
 }
 
@@ -130,21 +124,25 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
   return out;
 }
 
-CheckedFile check_record(const ProjectMaterial& material, const MaterialLibrary& library,
-                         const Settings& settings) {
-  CheckTarget target;
-  target.label = material.measured->material;
-  target.files = {{FileRole::material, "", material.measured->material, false}};
-  CheckedFile file = checked_file_of(target);
-  auto record = library.find(material.measured->material);
-  if (!record) throw Error::at(material.measured->material, "is no material of the library or the project");
-  // The dataset that the material uses is judged as the preferred one, and what is found about the others is
-  // left out.
-  const Dataset& used = dataset_named(*record, material.measured->dataset, record->id);
+// The record of a measured material, with the dataset that the material uses as the preferred one.
+Material used_record(const MeasuredF0& measured, const MaterialLibrary& library) {
+  auto record = library.find(measured.material);
+  if (!record) throw Error::at(measured.material, "is no material of the library or the project");
+  const Dataset& used = dataset_named(*record, measured.dataset, record->id);
   record->preferred = static_cast<std::size_t>(&used - record->datasets.data());
-  const std::string own = "/datasets/" + std::to_string(record->preferred);
+  return std::move(*record);
+}
+
+// What is found about other datasets than the one in use is left out.
+//   label   how the material calls its record
+CheckedFile check_record(const std::string& label, const Material& record, const Settings& settings) {
+  CheckTarget target;
+  target.label = label;
+  target.files = {{FileRole::material, "", label, false}};
+  CheckedFile file = checked_file_of(target);
+  const std::string own = "/datasets/" + std::to_string(record.preferred);
   Evidence evidence;
-  evidence.material = evidence_of_material(*record);
+  evidence.material = evidence_of_material(record);
   judge(target, evidence, settings, file);
   std::erase_if(file.findings, [&](const Finding& each) {
     return each.pointer.starts_with("/datasets/") && each.pointer != own &&
@@ -174,12 +172,16 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
     }
   };
   part([&] { return check_texels(material, library, door, settings, most_texels, threads, kept); });
-  if (material.measured) part([&] { return check_record(material, library, settings); });
-  part([&] {
-    if (const std::string layers = layers_of(material, library); !layers.empty())
-      explain_layers(layers, out.findings);
-    return CheckedFile{};
-  });
+  if (material.measured)
+    part([&] {
+      const Material record = used_record(*material.measured, library);
+      CheckedFile file = check_record(material.measured->material, record, settings);
+      // A texture has an F0 of its own.
+      if (!material.texture(Channel::specular))
+        for (std::vector<Finding>* findings : {&out.findings, &file.findings})
+          explain_layers(record.preferred_dataset(), *findings);
+      return file;
+    });
   for (Finding& each : out.findings) each.material = material.name;
   return out;
 }
