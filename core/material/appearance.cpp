@@ -11,6 +11,7 @@
 
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
+#include "core/material/f0_data.h"
 #include "core/material/names.h"
 #include "core/spectrum/integration.h"
 #include "core/spectrum/interpolate.h"
@@ -50,17 +51,11 @@ std::optional<std::array<double, grid_size>> visible_k(const Dataset& dataset) {
 void take_index(const OpticalConstants& constants, ClearBody& out) {
   constexpr std::array<double, 3> lines_nm{486.1327, 587.5618, 656.2725};  // F, d, C
   std::array<double, 3> n{};
-  double first_nm = 0, last_nm = 0;
-  if (const auto* formula = std::get_if<DispersionFormula>(&constants.n)) {
-    first_nm = formula->first_nm;
-    last_nm = formula->last_nm;
+  const auto [first_nm, last_nm] = range_of(constants);
+  if (const auto* formula = std::get_if<DispersionFormula>(&constants.n))
     evaluate(*formula, lines_nm, n);
-  } else {
-    const Spectrum& table = std::get<Spectrum>(constants.n);
-    first_nm = table.first_nm();
-    last_nm = table.last_nm();
-    resample(table, Interpolation::linear, lines_nm, n);
-  }
+  else
+    resample(std::get<Spectrum>(constants.n), Interpolation::linear, lines_nm, n);
   if (first_nm > lines_nm[1] || last_nm < lines_nm[1] || !std::isfinite(n[1])) return;
   out.n_d = n[1];
   if (first_nm <= lines_nm[0] && last_nm >= lines_nm[2] && n[0] > n[2]) out.v_d = (n[1] - 1) / (n[0] - n[2]);
