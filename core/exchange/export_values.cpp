@@ -20,15 +20,6 @@ std::string json_color(const LinearRgb& c) {
   return json_array_of(vec(c));
 }
 
-std::string json_clear(const std::optional<ClearBody>& body) {
-  if (!body) return "null";
-  return json_object({{"n_d", json(body->n_d.value_or(NAN))},
-                      {"v_d", json(body->v_d.value_or(NAN))},
-                      {"color", json_color(body->color)},
-                      {"depth_m", json(body->depth_m)}},
-                     -1);
-}
-
 std::string json_field(const EngineField& field) {
   return json_object(
       {{"name", json(field.name)}, {"values", json_array_of(field.values)}, {"text", json(field.text)}}, -1);
@@ -63,7 +54,7 @@ std::string json_material(const ExportedValues& each) {
                               {"f82", s.f82 ? json_color(*s.f82) : "null"},
                               {"diffuse", json_color(s.diffuse)},
                               {"total", s.total ? json_color(*s.total) : "null"},
-                              {"clear", json_clear(s.clear)},
+                              {"clear", json_clear(s.clear, json_color)},
                               {"gloss", s.gloss.held() ? "null" : json(double{s.gloss})},
                               {"alpha", json(s.gloss.alpha())},
                               {"roughness", json(s.gloss.roughness())},
@@ -75,6 +66,15 @@ std::string json_material(const ExportedValues& each) {
 }
 
 }  // namespace
+
+std::string json_clear(const std::optional<ClearBody>& body, std::string (*color)(const LinearRgb&)) {
+  if (!body) return "null";
+  return json_object({{"n_d", json(body->n_d.value_or(NAN))},
+                      {"v_d", json(body->v_d.value_or(NAN))},
+                      {"color", color(body->color)},
+                      {"depth_m", json(body->depth_m)}},
+                     -1);
+}
 
 std::vector<const EngineTarget*> engine_targets_named(const std::vector<std::string>& ids) {
   std::vector<const EngineTarget*> out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ std::vector<ExportedValues> exported_values(std::vector<ExportSurface> surfaces,
                                             const std::vector<std::string>& datasets,
                                             const std::vector<const EngineTarget*>& targets, Fit fit,
                                             unsigned threads);
+
+/// A clear body as JSON on one line; "null" for none.
+///   color   how the document writes its colours
+std::string json_clear(const std::optional<ClearBody>& body, std::string (*color)(const LinearRgb&));
 
 // The forms of `etak export --to values`.
 std::string export_table(const std::vector<ExportedValues>& all);

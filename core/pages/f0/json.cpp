@@ -2,12 +2,12 @@
 // The JSON forms of an F0 report, as resources/schema/f0.schema.json describes them. No JSON library writes
 // them: std::to_chars gives the shortest text that reads back equal, and a colour stays on one line.
 #include <array>
-#include <cmath>
 
 #include "core/base/json/json_text.h"
 #include "core/base/text/text.h"
 #include "core/color/colorspace.h"
 #include "core/color/srgb.h"
+#include "core/exchange/export_values.h"
 #include "core/fresnel/fresnel.h"
 #include "core/pages/f0/report.h"
 #include "core/spectrum/integration.h"
@@ -117,15 +117,6 @@ std::string json_f82(const F0Result& r) {
   return json_object({{"absolute", json(*r.f82)}, {"tint", r.f82_tint ? json(*r.f82_tint) : "null"}}, -1);
 }
 
-std::string json_clear(const std::optional<ClearBody>& body) {
-  if (!body) return "null";
-  return json_object({{"n_d", json(body->n_d.value_or(NAN))},
-                      {"v_d", json(body->v_d.value_or(NAN))},
-                      {"color", json(body->color)},
-                      {"depth_m", json(body->depth_m)}},
-                     -1);
-}
-
 std::string json_integration(const IntegrationStep& step) {
   return json_object({{"method", json(name(step.method))},
                       {"estimated_error", json(step.error)},
@@ -161,7 +152,7 @@ std::vector<Member> result_members(const F0Row& row) {
                               {"flags", json_array(flags)},
                               {"kind", row.kind.empty() ? null : json(row.kind)},
                               {"doubtful", row.doubt.empty() ? null : json(row.doubt)},
-                              {"clear", json_clear(row.clear)},
+                              {"clear", json_clear(row.clear, json)},
                               {"refused", has ? null : json(r.refusal)}};
   if (row.instrument.any())
     members.push_back({"instrument", json_object({{"aperture", json(row.instrument.aperture)},
