@@ -235,10 +235,11 @@ void Window::show_curves() {
     SurfaceValues surface = document_.surface_of(*m);
     const FittedModels fitted = fit_models(model, find_model(m->diffuse_model), m->parameters, surface);
     if (!m->measured)
-      return curves_->set_surface(QString::fromStdString(m->name), m->gloss, model, fitted.specular_values);
+      return curves_->set_surface(QString::fromStdString(m->name), m->gloss, fitted.specular,
+                                  fitted.specular_values);
     const FoundF0 found = find_f0(*m->measured, *document_.library());
     curves_->set_material(found.material, found.chosen(), f0_options(*m->measured, *document_.library()),
-                          m->gloss, model, fitted.specular_values);
+                          m->gloss, fitted.specular, fitted.specular_values);
   });
   if (!failure.isEmpty()) tell(failure);
 }

@@ -12,7 +12,7 @@
 namespace etak {
 namespace {
 
-constexpr std::size_t most_numbers = 24;
+constexpr std::size_t most_numbers = 64;
 constexpr Parameter mean_of_fresnel{"f_mean", "mean of F over a diffuse hemisphere", "", 0, 1, 0, Role::other,
                                     true};
 
@@ -134,8 +134,9 @@ void compose(const Term& distribution, const Term& fresnel, const Term& visibili
   out.derived.assign(distribution.derived.begin(), distribution.derived.end());
   // F's mean is computed beforehand where no texture can hold what it is computed from.
   const bool mean_is_known =
-      visibility.compensated &&
-      std::ranges::any_of(fresnel.parameters, [](const Parameter& p) { return p.role == Role::n; });
+      visibility.compensated && std::ranges::any_of(fresnel.parameters, [](const Parameter& p) {
+        return p.role == Role::n || p.role == Role::curve;
+      });
   if (mean_is_known) out.derived.push_back(mean_of_fresnel);
   std::vector<Parameter> numbers = out.parameters;
   numbers.insert(numbers.end(), out.derived.begin(), out.derived.end());

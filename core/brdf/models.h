@@ -18,6 +18,7 @@ enum class Role {
   f82,      // reflectance at cos 1/7, per channel: absolute, or a tint where the name says so
   n,
   k,         // complex index, per channel
+  curve,     // F over the angle, a colour of several: core/fresnel/curve.glsl
   gloss,     // Schueler's g
   alpha,     // width of GGX or Beckmann (m)
   exponent,  // of Phong-like lobes

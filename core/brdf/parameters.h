@@ -9,7 +9,7 @@
 
 namespace etak {
 
-/// A list of at most nine items as a compile-time constant, for the rows of the registry.
+/// A list of at most sixteen items as a compile-time constant, for the rows of the registry.
 template <class T>
 class Few {
  public:
@@ -19,7 +19,7 @@ class Few {
   constexpr operator std::span<const T>() const { return {items_.data(), count_}; }
 
  private:
-  std::array<T, 9> items_{};
+  std::array<T, 16> items_{};
   std::size_t count_;
 };
 
@@ -40,6 +40,11 @@ inline constexpr Parameter e{"e", "exponent of the lobe", "", 0, 1e6, 512, Role:
 inline constexpr Parameter m_exponent{"m", "exponent of the lobe", "", 1, 1e6, 512, Role::exponent, false};
 inline constexpr Parameter alpha{"alpha", "width of the lobe", "", 1e-4, 1, 0.1, Role::alpha, false};
 inline constexpr Parameter m_slope{"m", "rms slope of the facets", "", 1e-4, 10, 0.1, Role::alpha, false};
+
+// The colours of a curve of F, each with a name of its own.
+constexpr Parameter curve(std::string_view name) {
+  return {name, "colour of the curve of F", "", 0, 1, 0.5, Role::curve, true};
+}
 
 }  // namespace parameters
 }  // namespace etak

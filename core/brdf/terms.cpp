@@ -76,7 +76,7 @@ const Term* find_term(TermKind kind, std::string_view id) {
 }
 
 void Term::f64(const Directions& d, const double* values, double rgb[3]) const {
-  double numbers[16];
+  double numbers[64];
   const std::size_t count = number_count(parameters);
   std::copy(values, values + count, numbers);
   evaluators::derive(*this, values, numbers + count);

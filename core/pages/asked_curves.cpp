@@ -101,13 +101,10 @@ class Curves {
       for (const double value : all.r0) curve.rgb.push_back({value, value, value});
       return;
     }
-    const auto* constants = std::get_if<OpticalConstants>(&optics);
-    if (constants == nullptr)
-      throw Error::at(name,
-                      std::holds_alternative<Stack>(optics) ? without_constants(optics)
-                                                            : "holds reflectance at normal incidence alone",
+    if (std::holds_alternative<Reflectance>(optics))
+      throw Error::at(name, "holds reflectance at normal incidence alone",
                       "data of n and k, or " + setting("term"));
-    const SeenFresnel seen(*constants, name, request_.options);
+    const SeenFresnel seen(optics, name, request_.options);
     ColorCurve& curve = curves.emplace_back(ColorCurve{name, {}, {}});
     const auto steps = static_cast<int>(std::lround(90 / request_.step_deg));
     for (int i = 0; i <= steps; ++i) {

@@ -114,7 +114,7 @@ void take_measured(ProjectMaterial& material, const FoundF0& found) {
   material.specular = parts.f0;
 }
 
-std::string body_note(const ProjectMaterial& material, const FoundF0& found) {
+std::string body_note(const ProjectMaterial& material, const FoundF0& found, const MaterialLibrary& library) {
   std::string out;
   const bool clear = is_clear_body(found.material, found.chosen(), material.diffuse);
   if (is_total(found)) {
@@ -126,7 +126,7 @@ std::string body_note(const ProjectMaterial& material, const FoundF0& found) {
           "): exports say so; here alpha 0 lets the environment through, as a ball of " +
           number(1000 * clear_ball_m, 3) + " mm bends and absorbs it";
   } else if (std::holds_alternative<Stack>(found.chosen().optics)) {
-    out = "layers on a base: drawn by their F0 and F82; the colours between these two angles are not theirs";
+    out = curve_note(*surface_of(material, library).curve);
   }
   if (const DefaultGloss standard = default_gloss(found.material, clear); material.gloss == standard.gloss)
     out += (out.empty() ? "" : "\n") + default_gloss_remark(standard);
@@ -155,7 +155,8 @@ SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary&
   SurfaceValues out;
   if (material.measured) {
     const FoundF0 found = find_f0(*material.measured, library);
-    out = surface_of(found.material, found.chosen(), found.result, vec(material.diffuse), material.gloss);
+    out = surface_of(found.material, found.chosen(), found.result, vec(material.diffuse), material.gloss,
+                     f0_options(*material.measured, library));
     // The record has n and k against vacuum, which do not hold for another outside medium.
     if (!material.measured->outside.empty()) out.optics.reset();
     if (!gives_f0(found.material.material_class)) {

@@ -159,9 +159,9 @@ FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library);
 std::vector<std::string> resolve(Project& project, const MaterialLibrary& library);
 /// Sets the colours of one material from its record, as resolve() does.
 void take_measured(ProjectMaterial& material, const FoundF0& found);
-/// Notes on a measured material: that its body is clear and not drawn, how a total reflectance was divided,
-/// that its roughness is a convention. One sentence a line; empty where there is nothing to note.
-std::string body_note(const ProjectMaterial& material, const FoundF0& found);
+/// Notes on a measured material: that its body is clear and not drawn, how a total reflectance was divided, how far the
+/// drawn F of layers is off, that its roughness is a convention. One sentence a line; empty where there is nothing to note.
+std::string body_note(const ProjectMaterial& material, const FoundF0& found, const MaterialLibrary& library);
 
 /// The values of a material that a renderer needs. F82, n and k come from the spectrum where the material is
 /// measured, else from F0. Textures are ignored. Throws Error as find_f0() does.

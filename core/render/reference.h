@@ -14,14 +14,11 @@ namespace etak {
 /// The Fresnel reflectance of a spectrum as a colour: the exact F(wavelength, cosine) in steps of 1 nm over
 /// 360..830 nm, under D65 for the CIE 1931 observer, in linear sRGB. It is a table of 4096 steps in the
 /// cosine, linear between them.
-///   error   3e-5 against exact()
+///   error   3e-5 against seen_fresnel()
 class SpectralFresnel {
  public:
-  explicit SpectralFresnel(const OpticalConstants& optics);
+  explicit SpectralFresnel(const Optics& optics);
   Vec3 at(double c) const;
-
-  /// The sum over the spectrum for one cosine, without the table.
-  static Vec3 exact(const OpticalConstants& optics, double c);
 
  private:
   std::vector<Vec3> table_;

@@ -42,6 +42,7 @@ Vec3 value_of(const Parameter& parameter, const SurfaceValues& surface) {
       return all(surface.gloss.alpha());
     case Role::exponent:
       return all(surface.gloss.exponent());
+    case Role::curve:  // model_values() knows which colour it is
     case Role::other:
       break;
   }
@@ -100,12 +101,19 @@ std::vector<double> model_values(const Model& model, const SurfaceValues& surfac
                                  const std::vector<std::pair<std::string, double>>& overrides,
                                  std::vector<ClampedValue>* clamped) {
   std::vector<double> values;
+  std::optional<FresnelCurve> curve;
+  std::size_t of_curve = 0;
   for (const Parameter& parameter : model.parameters) {
-    const Vec3 wanted = value_of(parameter, surface);
+    Vec3 wanted = value_of(parameter, surface);
+    if (parameter.role == Role::curve) {
+      if (!curve) curve = curve_of(surface);
+      wanted = curve->colors[of_curve++];
+    }
     for (std::size_t c = 0; c < (parameter.color ? 3u : 1u); ++c) {
       // Colours outside of a display's gamut (gold's red is 1.04) are not clamped, because the models
       // evaluate them.
-      const bool color = parameter.role == Role::f0 || parameter.role == Role::diffuse;
+      const bool color =
+          parameter.role == Role::f0 || parameter.role == Role::diffuse || parameter.role == Role::curve;
       const double used = color ? wanted[c] : std::clamp(wanted[c], parameter.min, parameter.max);
       if (used != wanted[c] && clamped != nullptr) {
         std::string name(parameter.name);
@@ -172,9 +180,18 @@ void take_set(const Model& model, const std::vector<double>& values, SurfaceValu
 
 }  // namespace
 
+const Model* drawn_model(const Model* model, const SurfaceValues& surface) {
+  if (model == nullptr || !surface.curve || (model->fresnel == nullptr && model->id != default_specular))
+    return model;
+  const std::string d(model->fresnel == nullptr ? "ggx" : model->distribution->id),
+      v(model->fresnel == nullptr ? "smith-ggx-height" : model->visibility->id);
+  return find_model("microfacet:" + d + ",curve," + v);
+}
+
 FittedModels fit_models(const Model* specular, const Model* diffuse,
                         const std::vector<std::pair<std::string, double>>& overrides,
                         SurfaceValues& surface) {
+  specular = drawn_model(specular, surface);
   if (diffuse != nullptr && diffuse->kind != ModelKind::diffuse)
     throw Error::at("diffuse model", std::string(diffuse->id) + " is no diffuse model",
                     "lambert, oren-nayar, ...");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "core/brdf/models.h"
 #include "core/color/gloss.h"
+#include "core/fresnel/curve.h"
 #include "core/image/image.h"
 #include "core/light/lights.h"
 #include "core/material/f0.h"
@@ -35,7 +37,8 @@ struct SurfaceValues {
   // For clear bodies: what is left of D65 behind clear_ball_m of them, linear sRGB, above 0. A ball of that
   // diameter bends its environment; where there is none, and on a quad, the background is seen unbent.
   std::optional<Vec3> passing;
-  std::optional<OpticalConstants> optics;  // for the spectral reference; none: n and k as given
+  std::optional<Optics> optics;  // n and k or a stack, for the spectral reference; none: n and k as given
+  std::optional<FresnelCurve> curve;  // F over the angle of a stack of layers
   // The larger of the differences between f0 and the F0 of n, k and between f82 and the F82 of n, k. An F0
   // above 1 has no n and k.
   Vec3 nk_residual{0, 0, 0};
@@ -49,16 +52,32 @@ inline constexpr double clear_ball_m = 0.02;
 /// The surface of a library material. F0, F82 and n, k for each channel come from its spectrum. The diffuse
 /// colour is black for conductors and semiconductors, and `diffuse` for dielectrics. For materials of kind
 /// "surface", the measured reflectance is divided into a diffuse colour and an F0 of 0.04, or less where the
-/// body is darker than that (divided() in core/material/appearance.h). Of a stack of layers F0 and
-/// F82 are its own, and what lies between them is that of a bare metal. Throws Error for data that give no F0.
+/// body is darker than that (divided() in core/material/appearance.h). A stack of layers has a curve of
+/// its F. Throws Error for data that give no F0.
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
                          const Gloss& gloss);
 
 /// The surface by an F0 result that was computed with other options (another outside medium, illuminant or
 /// observer); its linear sRGB and F82 are taken as they are. Throws Error for a refused result.
-///   f0   the result for `dataset`, with linear sRGB as output space
+///   f0        the result for `dataset`, with linear sRGB as output space
+///   options   of that result
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const F0Result& f0,
-                         const Vec3& diffuse, const Gloss& gloss);
+                         const Vec3& diffuse, const Gloss& gloss, const F0Options& options = {});
+
+/// The exact F of n and k or of a stack in air, as SpectralFresnel has it, without its table.
+std::function<Vec3(double cosine)> seen_fresnel(const Optics& optics);
+
+/// F of a surface over the angle: its own curve, else that of its optics or of n and k.
+FresnelCurve curve_of(const SurfaceValues& surface);
+
+/// What is to be said of a curve: how far it is off.
+std::string curve_note(const FresnelCurve& curve);
+
+/// The specular model by which a surface is drawn. F of a surface that has a curve is that curve, also where another F was
+/// chosen: in place of the default model GGX is taken, and a model of three terms keeps D and V. Models with a text of their
+/// own keep it.
+///   model   null: none
+const Model* drawn_model(const Model* model, const SurfaceValues& surface);
 
 /// Sets f82, n and k of a surface whose f0 alone is known. Below the forbidden zone they are those of the
 /// dielectric with that F0; above, f82 is that of Schlick's curve, and n and k are those of a metal.
@@ -98,8 +117,8 @@ struct FittedModels {
 
 /// Computes the values of both models by model_values(). An override goes to the specular model where that
 /// has a parameter of its name, else to the diffuse model. Where a model was overridden, the colours and the
-/// gloss of `surface` become those of the model, so that hemispheres and environment use them too. Beside a
-/// specular model of kind both, the diffuse model is left out. Throws Error for models of the wrong kind and
+/// gloss of `surface` become those of the model, so that hemispheres and environment use them too. The specular model is
+/// that of drawn_model(). Beside a specular model of kind both, the diffuse model is left out. Throws Error for models of the wrong kind and
 /// for overrides that neither model has.
 FittedModels fit_models(const Model* specular, const Model* diffuse,
                         const std::vector<std::pair<std::string, double>>& overrides, SurfaceValues& surface);

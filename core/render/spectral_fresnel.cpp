@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/color/colorspace.h"
 #include "core/fresnel/fresnel.h"
+#include "core/material/seen_stack.h"
 #include "core/render/optics_grid.h"
 #include "core/render/reference.h"
 #include "core/spectrum/integration.h"
@@ -30,10 +32,16 @@ struct Eye {
 
 }  // namespace
 
-SpectralFresnel::SpectralFresnel(const OpticalConstants& optics) : table_(fresnel_steps + 1) {
-  const GridIndex index = grid_index(optics, "spectral Fresnel");
-  const Eye eye;
-  for (std::size_t i = 0; i <= fresnel_steps; ++i) table_[i] = eye.see(index, double(i) / fresnel_steps);
+std::function<Vec3(double)> seen_fresnel(const Optics& optics) {
+  if (const auto* stack = std::get_if<Stack>(&optics))
+    return [seen = std::make_shared<const SeenStack>(*stack)](double c) { return (*seen)(c); };
+  const GridIndex index = grid_index(std::get<OpticalConstants>(optics), "spectral Fresnel");
+  return [index, eye = Eye()](double c) { return eye.see(index, c); };
+}
+
+SpectralFresnel::SpectralFresnel(const Optics& optics) : table_(fresnel_steps + 1) {
+  const auto seen = seen_fresnel(optics);
+  for (std::size_t i = 0; i <= fresnel_steps; ++i) table_[i] = seen(double(i) / fresnel_steps);
 }
 
 Vec3 SpectralFresnel::at(double c) const {
@@ -44,10 +52,6 @@ Vec3 SpectralFresnel::at(double c) const {
   for (std::size_t channel = 0; channel < 3; ++channel)
     out[channel] = table_[i][channel] * (1 - share) + table_[i + 1][channel] * share;
   return out;
-}
-
-Vec3 SpectralFresnel::exact(const OpticalConstants& optics, double c) {
-  return Eye().see(grid_index(optics, "spectral Fresnel"), c);
 }
 
 std::optional<Lobe> lobe_of(const Model& model, const std::vector<double>& values) {
@@ -68,6 +72,7 @@ std::optional<Lobe> lobe_of(const Model& model, const std::vector<double>& value
       switch (parameter.role) {
         case Role::f0:
         case Role::f82:
+        case Role::curve:
           out.values[at] = 1;
           has_fresnel = true;
           break;

@@ -9,6 +9,7 @@
 #include "core/material/appearance.h"
 #include "core/material/dispersion.h"
 #include "core/material/f0.h"
+#include "core/material/seen_stack.h"
 #include "core/render/optics_grid.h"
 #include "core/render/scene.h"
 #include "core/spectrum/interpolate.h"
@@ -80,7 +81,7 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
 }
 
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const F0Result& result,
-                         const Vec3& diffuse, const Gloss& gloss) {
+                         const Vec3& diffuse, const Gloss& gloss, const F0Options& options) {
   const std::string what = material.id + "/" + dataset.id;
   if (result.refused()) throw Error::at(what, "has no F0: " + result.refusal, "data over the visible range");
   const std::string_view kind = optical_kind(material.material_class);
@@ -112,9 +113,30 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
     }
   }
   solve_index(out, hint);
+  if (const auto* stack = std::get_if<Stack>(&dataset.optics)) {
+    out.optics = *stack;
+    out.curve = fitted_curve(
+        [seen = std::make_shared<const SeenStack>(*stack, options)](double c) { return (*seen)(c); });
+  }
   if (diffuse == Vec3{0, 0, 0})
     if (const Clarity body = clarity(material, dataset); body.clear) out.passing = passing_of(body.body);
   return out;
+}
+
+FresnelCurve curve_of(const SurfaceValues& surface) {
+  if (surface.curve) return *surface.curve;
+  if (surface.optics) return fitted_curve(seen_fresnel(*surface.optics));
+  return fitted_curve([&](double cosine) {
+    Vec3 out{};
+    for (std::size_t c = 0; c < 3; ++c) out[c] = f64::fresnel_exact(surface.n[c], surface.k[c], cosine);
+    return out;
+  });
+}
+
+std::string curve_note(const FresnelCurve& curve) {
+  return "F of the layers is drawn as a curve of " + std::to_string(FresnelCurve::count) +
+         " colours over the angle, off by at most " + number(curve.error, 2) + " (CIEDE2000), at " +
+         number(curve.at_deg, 3) + " degrees";
 }
 
 void complete_from_f0(SurfaceValues& surface) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/typed.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -16,6 +17,7 @@
 #include "core/material/f0.h"
 #include "core/material/optics_class.h"
 #include "core/material/quality.h"
+#include "core/render/reference.h"
 
 namespace etak {
 namespace {
@@ -149,6 +151,32 @@ const Model* model_named(const std::string& option, const std::string& id, std::
   throw Error::at(option, printable(id), "a model that etak models lists, or none" + did_you_mean(id, ids));
 }
 
+std::string layers_remark(const Model& asked, const Model& drawn, const std::vector<double>& values,
+                          const FresnelCurve& curve) {
+  if (drawn.fresnel != nullptr && drawn.fresnel->id == "curve") {
+    std::string out = curve_note(curve);
+    if (&asked != &drawn)
+      out += "; the model is " + std::string(drawn.id) + " in place of " + std::string(asked.id);
+    return out;
+  }
+  std::string out = std::string(drawn.id) + " has an F of its own, which is not that of the layers";
+  const std::optional<Lobe> lobe = lobe_of(drawn, values);
+  if (!lobe) return out;
+  // Light and viewer on both sides of the normal: what is left of the lobe with F = 1 is F.
+  const auto own = [&](double cosine) {
+    const double c = std::max(cosine, 1e-3), s = std::sqrt((1 - c) * (1 + c));
+    const Directions d{s, 0, c, -s, 0, c};
+    double whole[3], bare[3];
+    drawn.f64(d, values.data(), whole);
+    lobe->model->f64(d, lobe->values.data(), bare);
+    return Vec3{whole[0] / bare[0], whole[1] / bare[1], whole[2] / bare[2]};
+  };
+  const FresnelDifference off =
+      fresnel_difference(own, [&](double cosine) { return curve.at(std::max(cosine, 1e-3)); });
+  return out + ": off by up to " + number(off.de2000, 2) + " (CIEDE2000), at " + number(off.at_deg, 3) +
+         " degrees; a model of three terms has theirs";
+}
+
 std::string clamped_remark(const ClampedValue& value) {
   return value.name + " is " + number(value.wanted, 6) + ", taken as " + number(value.used, 6);
 }
@@ -157,9 +185,6 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
                          const F0Options& options, std::vector<std::string>& remarks) {
   if (std::string remark = class_remark(material); !remark.empty())
     remarks.push_back(material.id + ": " + remark);
-  if (std::holds_alternative<Stack>(dataset.optics))
-    throw Error::at(material.id + "/" + dataset.id, "is a stack of layers, which is not drawn yet",
-                    "a bare material");
   const bool dielectric = optical_kind(material.material_class) == "dielectric";
   const Clarity body = clarity(material, dataset);
   const bool black = wishes.diffuse == Vec3{0, 0, 0}, clear = body.clear && black;
@@ -176,7 +201,7 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
   }
   F0Settings settings = wishes.compute;
   const F0Result result = solve_averaged(settings.axis_average, F0Solver(options), material, dataset);
-  SurfaceValues out = surface_of(material, dataset, result, wishes.diffuse, gloss);
+  SurfaceValues out = surface_of(material, dataset, result, wishes.diffuse, gloss, options);
   // The reference would draw n and k as they are: of one axis, in air, under D65.
   settings.axis_average = settings.axis_average && !dataset.axis.empty();
   if (settings != F0Settings{}) out.optics.reset();

@@ -54,6 +54,12 @@ std::vector<std::pair<std::string, double>> typed_set(const std::vector<std::str
 ///   standard   the id that an empty one stands for
 const Model* model_named(const std::string& option, const std::string& id, std::string_view standard);
 
+/// The remark about F of a surface of layers.
+///   asked, drawn   the model that was asked for and that of drawn_model()
+///   values         of `drawn`
+std::string layers_remark(const Model& asked, const Model& drawn, const std::vector<double>& values,
+                          const FresnelCurve& curve);
+
 /// The remark about a value that a model did not take as it is.
 std::string clamped_remark(const ClampedValue& value);
 

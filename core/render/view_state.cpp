@@ -37,6 +37,7 @@ Scene frame_of(const ViewState& state, int width, int height) {
 
 void set_side(const ViewSide& side, bool energy_overlay, Scene& scene) {
   scene.surface = side.surface;
+  if (side.textures && side.textures->has.f0) scene.surface.curve.reset();  // F0 is that of the texels
   FittedModels fitted = fit_models(side.specular, side.diffuse, side.overrides, scene.surface);
   scene.specular = fitted.specular;
   scene.diffuse = fitted.diffuse;

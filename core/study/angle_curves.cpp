@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <span>
 
 #include "core/fresnel/fresnel.h"
 #include "core/study/measure.h"
@@ -15,6 +16,7 @@ namespace etak {
 namespace {
 
 constexpr std::array<std::string_view, 5> shown{"schlick", "schueler", "f82", "f82_tint", "lazanyi"};
+constexpr std::array<std::string_view, 4> without_index{"schlick", "schueler", "f82", "f82_tint"};
 constexpr std::array<std::string_view, 2> of_f0{"schlick", "schueler"};
 
 AngleCurve curve_of(const FresnelForm& form, const FresnelTruth& truth, const FresnelValues& values,
@@ -64,9 +66,9 @@ AngleCurves angle_curves(const Optics& optics, const F0Options& options, std::st
                          double step_deg) {
   AngleCurves out;
   FresnelTruth truth;
-  const auto* constants = std::get_if<OpticalConstants>(&optics);
-  if (constants != nullptr) {
-    truth = fresnel_truth(*constants, what, step_deg, options);
+  const bool exact = !std::holds_alternative<Reflectance>(optics);
+  if (exact) {
+    truth = fresnel_truth(optics, what, step_deg, options);
     out.exact = truth.rgb;
   } else {
     const F0Result result = F0Solver(options).solve(optics);
@@ -77,12 +79,13 @@ AngleCurves angle_curves(const Optics& optics, const F0Options& options, std::st
     out.angle_deg.push_back(std::acos(cosine) * 180 / std::numbers::pi);
   const auto add = [&](std::string_view id) {
     const FresnelForm& form = *fresnel_form(id);
-    out.forms.push_back(curve_of(form, truth, form.fit(truth), constants != nullptr));
+    out.forms.push_back(curve_of(form, truth, form.fit(truth), exact));
   };
-  if (constants != nullptr)
-    for (const std::string_view id : shown) add(id);
-  else
-    for (const std::string_view id : of_f0) add(id);
+  using Ids = std::span<const std::string_view>;
+  for (const std::string_view id : !exact                                  ? Ids(of_f0)
+                                   : std::holds_alternative<Stack>(optics) ? Ids(without_index)
+                                                                           : Ids(shown))
+    add(id);
   return out;
 }
 

@@ -22,8 +22,9 @@ struct AngleCurves {
   std::vector<double> angle_deg;  // 0 to 90, ascending
   std::vector<Vec3> exact;        // F(wavelength, angle) summed to linear sRGB; empty for reflectance data
   double exact_ns = 0;            // time of one angle, all wavelengths and channels; 0: not measured
-  std::vector<AngleCurve> forms;  // Schlick, Schueler, F82, F82 tint, Lazanyi; where there is no exact curve,
-                                  // only those that need F0 alone
+  std::vector<AngleCurve>
+      forms;  // Schlick, Schueler, F82, F82 tint and, of n and k, Lazanyi; where there is no
+              // exact curve, only those that need F0 alone
 };
 
 /// The curves of a dataset, without times; empty where the data give no F0. Each form gets the numbers that a

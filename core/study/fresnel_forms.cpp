@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/color/colorspace.h"
 #include "core/color/delta_e.h"
 #include "core/fresnel/fresnel.h"
+#include "core/material/seen_stack.h"
 #include "core/render/optics_grid.h"
 #include "core/render/scene.h"
 #include "core/spectrum/integration.h"
@@ -223,23 +225,32 @@ const FresnelForm* fresnel_form(std::string_view id) {
 struct SeenFresnel::State {
   Eye eye;
   GridIndex index;
+  std::optional<SeenStack> stack;  // in place of the index
 };
 
-SeenFresnel::SeenFresnel(const OpticalConstants& optics, std::string_view what, const F0Options& seen)
-    : state_(std::make_unique<State>(State{Eye(seen.viewing), relative_index(optics, seen.outside, what)})) {}
+SeenFresnel::SeenFresnel(const Optics& optics, std::string_view what, const F0Options& seen)
+    : state_([&] {
+        State state{Eye(seen.viewing), {}, {}};
+        if (const auto* stack = std::get_if<Stack>(&optics))
+          state.stack.emplace(*stack, seen);
+        else
+          state.index = relative_index(std::get<OpticalConstants>(optics), seen.outside, what);
+        return std::make_unique<State>(std::move(state));
+      }()) {}
 SeenFresnel::~SeenFresnel() = default;
 SeenFresnel::SeenFresnel(SeenFresnel&&) noexcept = default;
 
 Vec3 SeenFresnel::operator()(double cosine) const {
+  if (state_->stack) return (*state_->stack)(cosine);
   std::array<double, grid_size> reflectance{};
   f64::fresnel_exact(state_->index.n, state_->index.k, cosine, reflectance);
   return state_->eye.rgb(reflectance);
 }
 
-FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg,
+FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double step_deg,
                            const F0Options& seen_under) {
   const SeenFresnel seen(optics, what, seen_under);
-  const auto& [eye, index] = *seen.state_;
+  const auto& [eye, index, stack] = *seen.state_;
   FresnelTruth truth;
   const auto steps = static_cast<std::size_t>(std::lround(90 / step_deg));
   double sum = 0;
@@ -253,6 +264,7 @@ FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what
   for (double& weight : truth.weight) weight /= sum;
   truth.f0 = truth.rgb.front();
   truth.f82 = seen(f82_cosine);
+  if (stack) return truth;
   truth.mean_index = {eye.rgb(index.n), eye.rgb(index.k)};
   for (std::size_t c = 0; c < 3; ++c) {
     const double place = channel_nm[c] - grid_first_nm;

@@ -20,17 +20,19 @@ struct FresnelTruth {
   std::vector<double> cosine;  // of incidence
   std::vector<double> weight;  // in the mean over a sphere that is seen from far away, 2 c dc; their sum is 1
   std::vector<Vec3> rgb;
-  Vec3 f0{}, f82{};                         // at cos 1 and 1/7
+  Vec3 f0{}, f82{};  // at cos 1 and 1/7
+  // Of a stack of layers there are neither of these.
   std::array<Vec3, 2> mean_index{};         // n and k averaged over the spectrum as reflectances are
   std::array<Vec3, 2> three_wavelengths{};  // n and k at 611.4, 549.1 and 464.3 nm, as sRGB's primaries
 };
 
-/// The exact F of an index of refraction at any angle, as it is seen.
+/// The exact F of n and k or of a stack of layers at any angle, as it is seen.
 class SeenFresnel {
  public:
-  /// Throws Error (naming `what`) as grid_index() does.
-  ///   seen   observer, illuminant and outside medium are used; space and method are not
-  SeenFresnel(const OpticalConstants& optics, std::string_view what, const F0Options& seen = {});
+  /// Throws Error (naming `what`) as grid_index() does, and as SeenStack does.
+  ///   optics   no reflectance at normal incidence alone
+  ///   seen     observer, illuminant and outside medium are used; space and method are not
+  SeenFresnel(const Optics& optics, std::string_view what, const F0Options& seen = {});
   ~SeenFresnel();
   SeenFresnel(SeenFresnel&&) noexcept;
 
@@ -39,16 +41,16 @@ class SeenFresnel {
   Vec3 operator()(double cosine) const;
 
  private:
-  friend FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg,
+  friend FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double step_deg,
                                     const F0Options& seen);
   struct State;
   std::unique_ptr<const State> state_;
 };
 
 /// The truth at angles from 0 to 90 degrees in steps of `step_deg`. Throws Error (naming `what`) as
-/// grid_index() does.
+/// SeenFresnel does.
 ///   seen   observer, illuminant and outside medium are used; space and method are not
-FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg = 0.25,
+FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double step_deg = 0.25,
                            const F0Options& seen = {});
 
 /// Up to four numbers for each channel, as a renderer gives them to a form.

@@ -45,8 +45,8 @@ Difference difference(const Image& a, const Image& b) {
 TEST_CASE("GL draws the CPU's picture: every feature of a scene") {
   GlRunner* gl = gl_here();
   if (gl == nullptr) return;
-  for (const char* id :
-       {"schueler-optimized-bounded", "ashikhmin-shirley-specular", "lambert", "blinn-phong"})
+  for (const char* id : {"schueler-optimized-bounded", "ashikhmin-shirley-specular", "lambert", "blinn-phong",
+                         "microfacet:ggx,curve,smith-ggx-height"})
     for (const Variant& variant : variants(*find_model(id))) {
       Scene scene = variant.scene;
       scene.width = 150;
@@ -65,7 +65,7 @@ TEST_CASE("GL draws the CPU's picture: every feature of a scene") {
 TEST_CASE("GL draws the CPU's refined picture within two codes") {
   GlRunner* gl = gl_here();
   if (gl == nullptr) return;
-  for (const char* id : {"ggx-schlick", "oren-nayar", "blinn-phong"})
+  for (const char* id : {"ggx-schlick", "oren-nayar", "blinn-phong", "microfacet:ggx,curve,smith-ggx-height"})
     for (const Variant& variant : variants(*find_model(id))) {
       Scene scene = variant.scene;
       const bool with_sky = !scene.lights.environment.empty();

@@ -118,6 +118,10 @@ void choose_models(Scene& scene, const std::string& specular, const std::string&
     scene.diffuse = nullptr;
   }
   FittedModels fitted = fit_models(scene.specular, scene.diffuse, set, scene.surface);
+  if (scene.surface.curve && scene.specular != nullptr)
+    remarks.push_back(
+        layers_remark(*scene.specular, *fitted.specular, fitted.specular_values, *scene.surface.curve));
+  scene.specular = fitted.specular;
   scene.specular_values = std::move(fitted.specular_values);
   scene.diffuse_values = std::move(fitted.diffuse_values);
   for (const ClampedValue& each : fitted.clamped) remarks.push_back(clamped_remark(each));
@@ -184,6 +188,9 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   if (!arguments.emission_texture.empty()) scene.surface.emission = {1, 1, 1};
   if (!arguments.emission.empty()) scene.surface.emission = vec(typed_emission(arguments.emission));
   scene.surface.occlusion = arguments.occlusion;
+  read_textures(arguments);
+  scene.textures = arguments.textures;
+  if (scene.textured().f0) scene.surface.curve.reset();  // F0 is that of the texels
   choose_models(scene, arguments.model, arguments.diffuse_model, typed_set(arguments.set), notes.remarks);
   if (const std::optional<int> count = light_count(arguments.lights)) {
     scene.lights.lights = spread_lights(*count);
@@ -199,8 +206,6 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   if (!arguments.ground.empty()) scene.lights.ground = vec(typed_share("--ground", arguments.ground));
   scene.lights = with_ground(scene.lights);
   scene.refined = arguments.refined;
-  read_textures(arguments);
-  scene.textures = arguments.textures;
   tell_areas(scene, notes.remarks);
   validate(scene);
   if (std::string text = ambient_remark(scene, held_by_textures(scene)); !text.empty())

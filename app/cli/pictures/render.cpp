@@ -159,6 +159,11 @@ std::string surface_json(const SurfaceValues& s) {
                               {"gloss", number(double{s.gloss}, 9)},
                               {"roughness", number(s.gloss.roughness(), 9)},
                               {"opacity", number(s.opacity, 9)}};
+  if (s.curve)
+    out.push_back({"curve", json_object({{"colors", json(s.curve->colors.size())},
+                                         {"error", number(s.curve->error, 3)},
+                                         {"at_deg", number(s.curve->at_deg, 3)}},
+                                        -1)});
   if (s.emission != Vec3{}) out.push_back({"emission", three(s.emission)});
   if (s.occlusion != 1) out.push_back({"occlusion", number(s.occlusion, 9)});
   return json_object(out, -1);

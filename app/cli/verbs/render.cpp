@@ -33,7 +33,7 @@ void add_render(CommandLine& line) {
       .value_name("FILE");
   verb.option(
           "--sweep", arguments->sweep,
-          "a row of objects, one for each value of gloss, roughness, material, model, diffuse-model, orbit, tilt or a parameter of --set: NAME=FIRST:LAST:COUNT, or NAME=VALUE,VALUE,...")
+          "a row of objects, one for each value of gloss, roughness, material, model, diffuse-model, orbit, tilt, a parameter of --set, or the number of a layer (1=0nm:400nm:9): NAME=FIRST:LAST:COUNT, or NAME=VALUE,VALUE,...")
       .value_name("NAME=VALUES");
   verb.flag("--half", arguments->half, "16-bit values in .exr instead of 32-bit ones");
   verb.option("--device", arguments->device, "cpu, gl, or auto (cpu)")

@@ -181,7 +181,9 @@ void CurvesPanel::take(const Request& request, Result result) {
         form_ns_.clear();
         for (const AngleCurve& form : angles->forms) form_ns_.emplace_back(form.id, form.ns);
       }
-      if (!angles->exact.empty()) angles->exact_ns = exact_ns_;
+      // The time is that of n and k.
+      if (!angles->exact.empty())
+        angles->exact_ns = std::holds_alternative<Stack>(*request.optics) ? 0 : exact_ns_;
       for (AngleCurve& form : angles->forms)
         for (const auto& [id, ns] : form_ns_)
           if (id == form.id) form.ns = ns;

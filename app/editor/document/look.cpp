@@ -7,7 +7,7 @@ namespace {
 ViewSide side_of(const Document& document, const ProjectMaterial& m, const std::string& model) {
   ViewSide out;
   out.surface = document.surface_of(m);
-  out.specular = find_model(model.empty() ? m.specular_model : model);
+  out.specular = drawn_model(find_model(model.empty() ? m.specular_model : model), out.surface);
   out.diffuse = find_model(m.diffuse_model);
   if (out.specular != nullptr && out.specular->kind == ModelKind::combined) out.diffuse = nullptr;
   // The material's values for parameters belong to its own model, not to the one that it is compared with.

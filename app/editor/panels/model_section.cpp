@@ -15,7 +15,7 @@ namespace {
 
 // Whether the inspector has another field for a parameter of this role.
 bool has_own_field(Role role) {
-  return role == Role::diffuse || role == Role::f0 || role == Role::gloss;
+  return role == Role::diffuse || role == Role::f0 || role == Role::gloss || role == Role::curve;
 }
 
 // The end of a parameter's slider, which covers the usual range. Typed values may use the whole range of the
@@ -109,6 +109,9 @@ void ModelSection::show_material(const ProjectMaterial* m) {
   const Model* diffuse = m == nullptr ? nullptr : find_model(m->diffuse_model);
   specular_->setCurrentIndex(std::max(0, m == nullptr ? 0 : specular_->findData(qt_text(m->specular_model))));
   diffuse_->setCurrentIndex(std::max(0, m == nullptr ? 0 : diffuse_->findData(qt_text(m->diffuse_model))));
+  SurfaceValues surface;
+  if (m != nullptr) surface = document_.surface_of(*m);
+  specular = drawn_model(specular, surface);
   const bool combined = specular != nullptr && specular->kind == ModelKind::combined;
   diffuse_->setEnabled(!combined);
   diffuse_->setToolTip(combined ? tr("The specular model has a diffuse part of its own")
@@ -130,7 +133,6 @@ void ModelSection::show_material(const ProjectMaterial* m) {
   }
   about_->setText(told_);
   if (m == nullptr) return;
-  SurfaceValues surface = document_.surface_of(*m);
   try {
     const FittedModels fitted = fit_models(specular, diffuse, m->parameters, surface);
     for (const Row& row : rows_)

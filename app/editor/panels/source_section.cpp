@@ -35,7 +35,7 @@ SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& l
                           r.f82 ? qt_text(hex(srgb_u8(*r.f82))) : "-");
     out.result += "\n" + QObject::tr("data %1").arg(qt_text(quality_text(found.chosen().origin, r.flags)));
     out.result += data_sentences(r.flags, doubt(found.material, found.chosen()));
-    out.body = qt_text(body_note(material, found));
+    out.body = qt_text(body_note(material, found, library));
     out.citation = qt_text(one_line(found.chosen().citation));
     MaterialReport report{found.material, {}};
     const F0Solver solver(f0_options(measured, library));

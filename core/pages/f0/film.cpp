@@ -12,8 +12,7 @@
 #include "core/base/text/text.h"
 #include "core/color/srgb.h"
 #include "core/exchange/f0_worker.h"
-#include "core/film/stack.h"
-#include "core/material/f0_steps.h"
+#include "core/material/seen_stack.h"
 #include "core/material/stack.h"
 #include "core/material/stack_text.h"
 #include "core/pages/f0/report.h"
@@ -85,12 +84,7 @@ std::string film_csv(const FilmSweep& sweep, std::span<const F0Row> rows) {
 }
 
 std::string film_strip(const FilmSweep& sweep, const F0Options& options) {
-  const F0Setup setup = f0_setup(options);
-  const Quadrature q = make_quadrature(Method::nm1, options.viewing);
-  const ColourSpaces spaces = colour_spaces(options, q);
-  StackSpectra spectra;
-  if (const std::string why = stack_spectra(setup, sweep.stack, q, spectra); !why.empty())
-    throw Error::at(printable(sweep.stack.text, 80), why);
+  SeenStack seen(sweep.stack, options);
   const std::size_t count = sweep.thickness_nm.size();
   const double cell = picture_width / static_cast<double>(count);
   const int rows = last_angle / angle_step + 1;
@@ -99,16 +93,13 @@ std::string film_strip(const FilmSweep& sweep, const F0Options& options) {
                     fixed(bottom + 50, 0) + "\" font-family=\"sans-serif\" font-size=\"12\">\n" +
                     rect(0, 0, 900, bottom + 50, "#ffffff") +
                     label(picture_left, 22, "start", sweep.stack.text);
-  std::vector<double> reflectance(q.wavelength_nm.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const Stack stack = with_thickness(sweep.stack, sweep.layer, sweep.thickness_nm[i]);
-    const FilmSpectra film = spectra.film(stack, q);
+    seen.set_thickness(sweep.layer - 1, sweep.thickness_nm[i]);
     for (int row = 0; row < rows; ++row) {
-      film_reflectance(film, std::cos(row * angle_step * std::numbers::pi / 180), reflectance);
-      const F0Result seen = with_colour({}, options, q, spaces, reflectance, {});
+      const LinearRgb color = to_rgb(seen(std::cos(row * angle_step * std::numbers::pi / 180)));
       // A little wider than it is, so that no background shows between neighbours.
       out += rect(picture_left + static_cast<double>(i) * cell, picture_top + row * cell_height, cell + 0.3,
-                  cell_height + 0.3, hex(seen.srgb8));
+                  cell_height + 0.3, hex(srgb_u8(color)));
     }
   }
   for (int row = 0; row < rows; row += 3)

@@ -40,6 +40,7 @@ std::string fetched_value(const Model& model, const Parameter& parameter, const 
     case Role::f82:
     case Role::n:
     case Role::k:
+    case Role::curve:
       if (textures.specular)
         throw Error::at(std::string(model.id),
                         "needs " + std::string(parameter.name) + ", which no texture holds",

@@ -69,8 +69,7 @@ ChoosePictures::ChoosePictures(const ChooseSubject& subject)
   const auto light = [&](const Vec3& travels, double irradiance) {
     const Vec3 t = unit(travels), towards{-t[0], -t[1], -t[2]};
     Light out{towards, irradiance, std::sqrt((1 + towards[2]) / 2), {}};
-    if (subject.dataset)
-      out.spectral_f = SpectralFresnel::exact(std::get<OpticalConstants>(subject.dataset->optics), out.lh);
+    if (subject.dataset) out.spectral_f = seen_fresnel(subject.dataset->optics)(out.lh);
     lights_.push_back(out);
   };
   // The viewer looks along -z.

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "core/material/f0.h"
+#include "core/material/material.h"
+
+namespace etak {
+
+/// The exact F of a stack over the angle of incidence, as it is seen: F of every nanometre, summed to linear sRGB.
+class SeenStack {
+ public:
+  /// Throws Error (naming the stack) for media without n, and as F0Solver does.
+  ///   options   all are used but space and method
+  explicit SeenStack(const Stack& stack, const F0Options& options = {});
+  ~SeenStack();
+  SeenStack(SeenStack&&) noexcept;
+
+  /// Linear sRGB, unclipped.
+  ///   cosine   of incidence, [0, 1]
+  Vec3 operator()(double cosine) const;
+
+  /// Gives a layer another thickness; it stays coherent or incoherent.
+  ///   layer   index, the outermost being 0
+  void set_thickness(std::size_t layer, double thickness_nm);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace etak
