@@ -7,6 +7,7 @@
 
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
+#include "core/material/f0_coat.h"
 #include "core/material/f0_cone.h"
 
 namespace etak {
@@ -32,6 +33,7 @@ struct F0Row {
   std::string doubt = {};       // why the dataset is doubtful; empty: it is not, or nothing is known of it
   std::optional<ClearBody> clear = {};  // of a material whose body is clear, its colour in the space of F0
   Instrument instrument = {};           // through which the result is seen
+  std::optional<CoatedF0> coat = {};    // where the job has a coat
   std::vector<F0Layer> layers = {};     // of a stack, the outermost first, the base last
 };
 

@@ -106,7 +106,7 @@ F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& jo
   } else if (input.file == MaterialFileKind::table) {
     const Table table = parse_table(text_, input.path, job.tables);
     watch.lap(times.parse);
-    out.row.result = solve(table.optics, table.flags, job);
+    solve(table.optics, table.flags, job, out.row);
     state_row(job, out.row);
   } else {
     Material material = parse_material(text_, input.path);
@@ -137,15 +137,17 @@ void F0Worker::answer_page(const MaterialInput& input, const F0Job& job, F0Outco
     return;
   } else {
     if (job.with_source) out.row.source = one_line(citation_of_page(page_, input.path));
-    out.row.result = job.axis_average && !is_pipe_input(input.path) ? average_pages(input, job, out.row)
-                                                                    : solve(page_.optics, page_.flags, job);
+    if (job.axis_average && !is_pipe_input(input.path))
+      average_pages(input, job, out.row);
+    else
+      solve(page_.optics, page_.flags, job, out.row);
   }
   state_row(job, out.row);
 }
 
-F0Result F0Worker::average_pages(const MaterialInput& input, const F0Job& job, F0Row& row) {
+void F0Worker::average_pages(const MaterialInput& input, const F0Job& job, F0Row& row) {
   const std::vector<AxisPage> axes = axis_pages(input.path);
-  if (axes.empty()) return solve(page_.optics, page_.flags, job);
+  if (axes.empty()) return solve(page_.optics, page_.flags, job, row);
   std::vector<RiiPage> others(axes.size());
   std::vector<F0Solver::Part> parts;
   Flags flags;
@@ -153,18 +155,40 @@ F0Result F0Worker::average_pages(const MaterialInput& input, const F0Job& job, F
     const std::string& path = axes[i].path;
     RiiPage& page = path == input.path ? page_ : others[i];
     if (&page != &page_) {
-      if (sys::FileInfo info; !sys::file_info(path, info))
-        return refused("no average over axes: " + path.substr(input.label_at) + " is missing", page_.flags);
+      if (sys::FileInfo info; !sys::file_info(path, info)) {
+        row.result =
+            refused("no average over axes: " + path.substr(input.label_at) + " is missing", page_.flags);
+        return;
+      }
       read_file(path, text_);
       parse_rii_page(text_, path, page);
     }
-    if (!page.refusal.empty() || page.kind != PageKind::constants)
-      return refused("no average over axes: " + path.substr(input.label_at) + " has no usable n", page.flags);
+    if (!page.refusal.empty() || page.kind != PageKind::constants) {
+      row.result =
+          refused("no average over axes: " + path.substr(input.label_at) + " has no usable n", page.flags);
+      return;
+    }
     parts.push_back({&page.optics, axes[i].weight});
     flags |= page.flags;
     row.dataset += (i == 0 ? "" : " + ") + path.substr(input.path.rfind('/') + 1);
   }
-  return job.solver.solve(parts, flags);
+  row.result = job.solver.solve(parts, flags);
+}
+
+// The row's result as the job's instrument has it, and what the job's coat makes of it.
+void F0Worker::finish(const Optics& optics, F0Result result, const F0Job& job, F0Row& row) {
+  const F0Options& options = job.solver.options();
+  row.result = seen_through(job.instrument, options, optics, std::move(result));
+  if (!job.coat || row.result.refused()) return;
+  CoatedF0 coat;
+  std::string why = coated(*job.coat, options, optics, coat);
+  if (!why.empty()) {
+    const Coverage coverage = row.result.coverage;
+    row.result = refused(std::move(why), row.result.flags);
+    row.result.coverage = coverage;
+  } else {
+    row.coat = std::move(coat);
+  }
 }
 
 void F0Worker::answer_dataset(const Material& material, const MaterialInput& input, const F0Job& job,
@@ -177,8 +201,8 @@ void F0Worker::answer_dataset(const Material& material, const MaterialInput& inp
   const auto average =
       job.axis_average ? average_over_axes(job.solver, material, dataset) : std::optional<AxisAverage>();
   if (!average) {
-    row.result = seen_through(job.instrument, job.solver.options(), dataset.optics,
-                              etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr));
+    finish(dataset.optics, etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr), job,
+           row);
     return;
   }
   if (!average->datasets.empty() && !average->result.refused()) row.dataset = average->datasets;

@@ -28,8 +28,9 @@ struct F0Job {
   bool axis_average = false;
   bool with_source = false;  // fill in F0Row::source and F0Row::clear
   bool timed = false;
-  bool materials = false;      // fill in F0Outcome::material in place of computing results
-  Instrument instrument = {};  // of all results but averages over axes
+  bool materials = false;         // fill in F0Outcome::material in place of computing results
+  Instrument instrument = {};     // of all results but averages over axes
+  std::optional<Coat> coat = {};  // fill in F0Row::coat
 };
 
 /// The result for one input.
@@ -60,12 +61,12 @@ class alignas(64) F0Worker {
  private:
   F0Outcome answer_in_memory(const MaterialInput& input, const F0Job& job);
   void answer_page(const MaterialInput& input, const F0Job& job, F0Outcome& out);
-  F0Result average_pages(const MaterialInput& input, const F0Job& job, F0Row& row);
+  void average_pages(const MaterialInput& input, const F0Job& job, F0Row& row);
   void answer_dataset(const Material& material, const MaterialInput& input, const F0Job& job, F0Row& row);
-  F0Result solve(const Optics& optics, Flags flags, const F0Job& job) {
-    return seen_through(job.instrument, job.solver.options(), optics,
-                        job.solver.solve(optics, flags, job.timed ? &times.f0 : nullptr));
+  void solve(const Optics& optics, Flags flags, const F0Job& job, F0Row& row) {
+    finish(optics, job.solver.solve(optics, flags, job.timed ? &times.f0 : nullptr), job, row);
   }
+  void finish(const Optics& optics, F0Result result, const F0Job& job, F0Row& row);
 
   std::string text_;
   RiiPage page_;

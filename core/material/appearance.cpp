@@ -148,6 +148,7 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
   out.clear = true;
   take_index(*constants, out.body);
   std::string whose = "its k";
+  if (k) out.k_of = &dataset;
   if (!k) {
     // Over 1 m clear bodies differ visibly in their absorption.
     double most = -1;
@@ -158,6 +159,7 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
           most = far;
           k = found;
           whose = "k of " + other.id;
+          out.k_of = &other;
         }
       }
     if (!k) {

@@ -37,10 +37,12 @@ struct ClearBody {
 ///             only the reflectance is known, and bodies of which the material says why not (Material::bodies), are not.
 ///   reason    why it is or is not, for people
 ///   body      of a clear one
+///   k_of      the dataset by whose k a clear body has its colour, one of those of the material; null: there is no k
 struct Clarity {
   bool clear = false;
   std::string reason;
   ClearBody body;
+  const Dataset* k_of = nullptr;
 };
 inline constexpr double clear_depth_m = 1e-3;
 Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space = RgbSpace::srgb);

@@ -41,14 +41,6 @@ std::string cone_reflectance(double aperture, const F0Setup& setup, const Stack&
   return {};
 }
 
-// A bare medium is a stack without layers.
-Stack stack_of(const Optics& optics) {
-  if (const auto* stack = std::get_if<Stack>(&optics)) return *stack;
-  Stack out;
-  out.media.push_back({{}, {}, {}, std::get<OpticalConstants>(optics)});
-  return out;
-}
-
 std::string reflectance_through(const Instrument& instrument, const F0Setup& setup, const Optics& optics,
                                 F0Spectra& room) {
   if (instrument.aperture > 0) {

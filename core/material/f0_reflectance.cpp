@@ -78,6 +78,13 @@ void index_at(const F0Setup& setup, const OpticalConstants& optics, const Quadra
     values_at(setup, std::get<Spectrum>(optics.n), q, out);
 }
 
+Stack stack_of(const Optics& optics) {
+  if (const auto* stack = std::get_if<Stack>(&optics)) return *stack;
+  Stack out;
+  out.media.push_back({{}, {}, {}, std::get<OpticalConstants>(optics)});
+  return out;
+}
+
 FilmSpectra StackSpectra::film(const Stack& stack, const Quadrature& q) const {
   FilmSpectra out{q.wavelength_nm, outside, {}, {n[stack.base], k[stack.base]}};
   for (const StackLayer& layer : stack.layers)

@@ -7,7 +7,12 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/material/appearance.h"
+#include "core/material/coverage.h"
+#include "core/material/f0_data.h"
 #include "core/material/find.h"
+#include "core/material/names.h"
+#include "core/material/stack_text.h"
 
 namespace etak {
 namespace {
@@ -52,7 +57,56 @@ void set_viewing(const F0Settings& settings, F0Options& out) {
                       "a sum of power and y above 0");
 }
 
+constexpr const char* coat_form =
+    "an index above 0 or a clear material, maybe with a thickness: 1.5, pmma, water:2mm";
+
+// Takes the thickness off the text of a coat, which is that of a stack of one layer but for its base.
+std::string take_thickness(const std::string& text, const std::string& place, Coat& out) {
+  if (!is_stack_text(text)) return text;
+  const StackText parsed = parse_stack(text + "/base", place);
+  const StackText::Layer& layer = parsed.layers.front();
+  if (parsed.layers.size() > 1 || parsed.base != "base" || !layer.thickness_nm ||
+      layer.rest.ends_with(":coherent"))
+    throw Error::at(place, printable(text), coat_form);
+  out.thickness_nm = *layer.thickness_nm;
+  return layer.name;
+}
+
 }  // namespace
+
+Coat coat_setting(const std::string& text, const LibraryWhenAsked& library) {
+  const std::string place = setting("coat");
+  Coat out;
+  out.label = text;
+  const std::string name = take_thickness(text, place, out);
+  if (parse_number(name, out.n)) {
+    if (!(out.n > 0 && out.n <= 1e4)) throw Error::at(place, printable(text), coat_form);
+    if (name != text) throw Error::at(place, printable(text), "no thickness: an index alone absorbs nothing");
+    out.medium.n = Spectrum{{550}, {out.n}};
+    return out;
+  }
+  const NameWords words{.place = place, .instead = "an index"};
+  const auto found = find_material(library(), name);
+  if (!found || found->answer.by == NameKind::qualified) fail_unknown_name(library(), name, words);
+  const Material& material = found->answer.material;
+  const Dataset& dataset = dataset_named(material, found->dataset, place + ": " + material.id);
+  const Clarity body = clarity(material, dataset);
+  if (!body.clear)
+    throw Error::at(place, material.id + "/" + dataset.id + " is not clear (" + body.reason + ")", coat_form);
+  out.medium = std::get<OpticalConstants>(dataset.optics);
+  const auto [first_nm, last_nm] = range_of(out.medium);
+  if (!covers_enough(luminous_coverage(first_nm, last_nm)) || !body.body.n_d)
+    throw Error::at(place,
+                    material.id + "/" + dataset.id + " has n for " + number(first_nm, 6) + "-" +
+                        number(last_nm, 6) + " nm",
+                    "n of all visible light");
+  out.n = *body.body.n_d;
+  if (body.k_of != nullptr)
+    out.medium.k = std::get<OpticalConstants>(body.k_of->optics).k;
+  else if (out.thickness_nm > 0)
+    throw Error::at(place, material.id + " has no k of visible light", "no thickness, which would not count");
+  return out;
+}
 
 F0Options f0_options(const F0Settings& settings, const LibraryWhenAsked& library,
                      const OpenSpace& open_space) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/material/f0.h"
+#include "core/material/f0_coat.h"
 #include "core/material/library.h"
 
 namespace etak {
@@ -35,5 +36,9 @@ using OpenSpace = std::function<CustomSpace(const std::string& config, const std
 ///   open_space   asked for what is no built-in space
 F0Options f0_options(const F0Settings& settings, const LibraryWhenAsked& library,
                      const OpenSpace& open_space);
+
+/// The coat of a text: an index above 0 or a clear material of the library, behind which a thickness may stand, over which
+/// its k counts, that of another of its datasets where its own has none ("1.5", "pmma", "water:2mm"). Throws Error that names the setting.
+Coat coat_setting(const std::string& text, const LibraryWhenAsked& library);
 
 }  // namespace etak

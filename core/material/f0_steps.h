@@ -53,6 +53,9 @@ struct F0Spectra {
 void index_at(const F0Setup& setup, const OpticalConstants& optics, const Quadrature& q,
               std::span<double> out);
 
+/// Optics that are no reflectance as a stack: a bare medium is one without layers.
+Stack stack_of(const Optics& optics);
+
 /// n and k of a stack's media at the nodes of a quadrature, and n of the outside.
 struct StackSpectra {
   std::vector<std::vector<double>> n, k;

@@ -73,9 +73,9 @@ bool is_of_lines(const std::string& format) {
   return format == "csv" || format == "jsonl";
 }
 
-void append_line(std::string& out, const F0Row& row, const std::string& format, const F0Options& options) {
-  if (format == "csv")
-    append_f0_csv(out, row.path, row.result, row.kind);
+void append_line(std::string& out, const F0Row& row, const F0Arguments& arguments, const F0Options& options) {
+  if (arguments.output.format == "csv")
+    append_f0_csv(out, row, !arguments.coat.empty());
   else
     out += f0_jsonl({&row, 1}, options);
 }
@@ -83,7 +83,7 @@ void append_line(std::string& out, const F0Row& row, const std::string& format, 
 void add_row(F0Row row, const F0Arguments& arguments, const F0Options& options, Chunk& out) {
   const std::string& format = arguments.output.format;
   if (is_of_lines(format) && arguments.sort.empty())
-    append_line(out.text, row, format, options);
+    append_line(out.text, row, arguments, options);
   else
     out.rows.push_back(std::move(row));
   ++out.tally.rows;
@@ -216,7 +216,7 @@ class F0Run {
  public:
   F0Run(F0Arguments& arguments, const F0Job& job, unsigned threads)
       : arguments_(arguments), job_(job), workers_(threads) {
-    if (arguments.output.format == "csv") text_ = f0_csv_header();
+    if (arguments.output.format == "csv") text_ = f0_csv_header(!arguments.coat.empty());
   }
 
   int answer_all() {
@@ -308,7 +308,7 @@ class F0Run {
         return none != other_none ? other_none : !none && a.result.luminance < b.result.luminance;
       });
     if (is_of_lines(output.format))
-      for (const F0Row& row : rows_) append_line(text_, row, output.format, options);
+      for (const F0Row& row : rows_) append_line(text_, row, arguments_, options);
     if (output.format == "json") text_ = f0_json(rows_, options);
     if (output.format == "table") {
       const bool terminal = is_standard_output(output) && sys::is_terminal(sys::standard_output);
@@ -348,6 +348,17 @@ Instrument instrument_of(const F0Arguments& arguments, const F0Options& options)
   return out;
 }
 
+std::optional<Coat> coat_of(F0Arguments& arguments, const F0Options& options, const Instrument& instrument) {
+  if (arguments.coat.empty()) return std::nullopt;
+  const std::string& format = arguments.output.format;
+  if (instrument.any() || format == "html" || !arguments.sweep.empty() || arguments.compute.axis_average)
+    throw Error::at("--coat", "beside --aperture, --scatter, --sweep or --axis-average, or in a page",
+                    "rows of single datasets");
+  Coat out = coat_setting(arguments.coat, arguments.library.when_asked());
+  validate(out, options);
+  return out;
+}
+
 }  // namespace
 
 int answer_f0(F0Arguments& arguments) {
@@ -366,13 +377,15 @@ int answer_f0(F0Arguments& arguments) {
   if (!arguments.library.folders.empty()) (void)arguments.library.get();
   const F0Solver solver(f0_options(arguments.compute, arguments.library));
   const bool with_source = output.format != "csv";
+  const Instrument instrument = instrument_of(arguments, solver.options());
   const F0Job job{solver,
                   table_options(arguments.tables),
                   arguments.compute.axis_average,
                   with_source,
                   arguments.stats,
                   output.format == "html",
-                  instrument_of(arguments, solver.options())};
+                  instrument,
+                  coat_of(arguments, solver.options(), instrument)};
   if (job.instrument.aperture > 0)
     remark(output,
            "mean over the cone of aperture " + number(job.instrument.aperture, 4) + "; F82 is left out");

@@ -40,6 +40,10 @@ void add_f0(CommandLine& line) {
   verb.option("--scatter", arguments->scatter, "share of the reflectance that scatter takes away, 0 to 1")
       .value_name("SHARE");
   verb.option(
+          "--coat", arguments->coat,
+          "a clear layer over the material: an index, or a clear material, which absorbs through a thickness (1.5, pmma, water:2mm); tells F0 and F82 under it and of the whole")
+      .value_name("N|MATERIAL[:THICKNESS]");
+  verb.option(
           "--sweep", arguments->sweep,
           "one stack with thicknesses of a layer (1 is the outermost): LAYER=FIRST:LAST:COUNT, as in "
           "1=0nm:400nm:81, or LAYER=VALUE,VALUE,...; with --format svg a strip of colours over thickness and angle")

@@ -117,6 +117,16 @@ std::string json_f82(const F0Result& r) {
   return json_object({{"absolute", json(*r.f82)}, {"tint", r.f82_tint ? json(*r.f82_tint) : "null"}}, -1);
 }
 
+std::string json_coat(const CoatedF0& coat) {
+  return json_object({{"n", json(coat.n)},
+                      {"f0_under", json(coat.under.linear)},
+                      {"f82_under", json(coat.under.f82.value())},
+                      {"f0", json(coat.whole.linear)},
+                      {"f82", json(coat.whole.f82.value())},
+                      {"energy_left", json(coat.energy_left.linear)}},
+                     -1);
+}
+
 std::string json_integration(const IntegrationStep& step) {
   return json_object({{"method", json(name(step.method))},
                       {"estimated_error", json(step.error)},
@@ -158,6 +168,7 @@ std::vector<Member> result_members(const F0Row& row) {
     members.push_back({"instrument", json_object({{"aperture", json(row.instrument.aperture)},
                                                   {"scatter", json(row.instrument.scatter)}},
                                                  -1)});
+  if (row.coat) members.push_back({"coat", json_coat(*row.coat)});
   if (!row.layers.empty()) {
     std::vector<std::string> layers;
     for (const F0Layer& layer : row.layers)

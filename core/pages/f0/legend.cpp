@@ -35,12 +35,17 @@ void append_bodies(std::string& out, std::span<const F0Row> rows, std::size_t li
   }
 }
 
+constexpr std::string_view coat_text =
+    "Under the coat: what the base reflects of light in the coat, F82 at cosine 1/7 in it. With the coat: all that is seen from outside, F82 at cosine 1/7 outside. Energy left: the share of what the base reflects head on that gets out of the coat.";
+
 }  // namespace
 
 std::string f0_legend(std::span<const F0Row> rows, const F0Options& options, std::size_t line_width) {
   std::string out;
   append_meanings(out, rows, line_width);
   append_bodies(out, rows, line_width);
+  if (std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return row.coat.has_value(); }))
+    append(out, '\n', wrapped(coat_text, 0, line_width));
   if (!rows.empty()) out += '\n';
   return out + wrapped(policy(options), 0, line_width);
 }

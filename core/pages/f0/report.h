@@ -31,14 +31,17 @@ Spread spread(const MaterialReport& report);
 /// out-of-gamut names channel and amount ("out-of-gamut:r+0.0428"). A refused row has empty numbers and
 /// "refused: REASON" as its last flag. `kind` is empty where it is not known. Fields are quoted as RFC 4180
 /// says where that is needed; lines end in '\n'.
-std::string f0_csv_header();
+///   coat   with the columns of a coat behind them (CoatedF0): coat_n, and r, g, b of F0 and F82 under it, of F0 and F82
+///          of the whole, and of what is left, `left_r`; empty of a row without a coat
+std::string f0_csv_header(bool coat = false);
 void append_f0_csv(std::string& out, std::string_view path, const F0Result& result,
                    std::string_view kind = {});
+void append_f0_csv(std::string& out, const F0Row& row, bool coat);
 
 /// The flags field of the CSV, also used by the table.
 std::string flags_text(const F0Result& result);
 
-/// A table of fixed width for people.
+/// A table of fixed width for people. Below a row with a coat stand those of CoatedF0.
 ///   color        a 24-bit swatch stands before each row
 ///   line_width   columns of the terminal: wider rows go on in a line below; 0: rows are never broken
 std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool color,

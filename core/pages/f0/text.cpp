@@ -125,6 +125,25 @@ Cells cells_of(const F0Row& row, Extra extra) {
   return cells;
 }
 
+// The rows as a table has them: below a row with a coat those of the coat, with names of their own.
+std::vector<F0Row> with_coats(std::span<const F0Row> rows) {
+  std::vector<F0Row> out;
+  for (const F0Row& row : rows) {
+    out.push_back(row);
+    if (!row.coat) continue;
+    const std::pair<const char*, const F0Result&> parts[] = {{"  under the coat", row.coat->under},
+                                                             {"  with the coat", row.coat->whole},
+                                                             {"  energy left", row.coat->energy_left}};
+    for (const auto& [name, result] : parts) {
+      F0Row& part = out.emplace_back();
+      part.path = name;
+      part.result = result;
+      part.result.coverage = row.result.coverage;
+    }
+  }
+  return out;
+}
+
 constexpr std::size_t swatch_width = 6;  // with the blanks behind it
 constexpr std::size_t fold_indent = 4;
 
@@ -179,8 +198,14 @@ Spread spread(const MaterialReport& report) {
   return s;
 }
 
-std::string f0_csv_header() {
-  return "path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags,kind\n";
+std::string f0_csv_header(bool coat) {
+  std::string out = "path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags,kind";
+  if (coat) {
+    out += ",coat_n";
+    for (const char* part : {"under", "under_F82", "coated", "coated_F82", "left"})
+      for (const char channel : channel_letters) append(out, ',', part, '_', channel);
+  }
+  return out + '\n';
 }
 
 std::string flags_text(const F0Result& result) {
@@ -196,12 +221,23 @@ std::string flags_text(const F0Result& result) {
   return out;
 }
 
-void append_f0_csv(std::string& out, std::string_view path, const F0Result& result, std::string_view kind) {
+namespace {
+
+// Appends three fields, empty ones where there is no colour.
+void append_numbers(std::string& out, const std::optional<LinearRgb>& color) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    out += ',';
+    if (color) append_csv_number(out, vec(*color)[c]);
+  }
+}
+
+// All fields but those of a coat.
+void append_fields(std::string& out, std::string_view path, const F0Result& result, std::string_view kind) {
   append_csv_field(out, path);
   if (result.refused()) {
     out += ",,,,,,,,,,,,,";
     append_csv_field(out, flags_text(result));
-    append(out, ',', kind, '\n');
+    append(out, ',', kind);
     return;
   }
   const auto add = [&](double value) {
@@ -215,17 +251,37 @@ void append_f0_csv(std::string& out, std::string_view path, const F0Result& resu
     append_code(out, code);
   }
   add(result.luminance);
-  if (result.f82)
-    for (const double value : vec(*result.f82)) add(value);
-  else
-    out += ",,,";
+  append_numbers(out, result.f82);
   append(out, ',', result.zone ? name(*result.zone) : "", ',');
   if (!result.flags.none()) append_csv_field(out, flags_text(result));
-  append(out, ',', kind, '\n');
+  append(out, ',', kind);
 }
 
-std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool color,
+}  // namespace
+
+void append_f0_csv(std::string& out, std::string_view path, const F0Result& result, std::string_view kind) {
+  append_fields(out, path, result, kind);
+  out += '\n';
+}
+
+void append_f0_csv(std::string& out, const F0Row& row, bool coat) {
+  append_fields(out, row.path, row.result, row.kind);
+  if (coat && !row.coat) out.append(16, ',');
+  if (coat && row.coat) {
+    out += ',';
+    append_csv_number(out, row.coat->n);
+    for (const F0Result* part : {&row.coat->under, &row.coat->whole}) {
+      append_numbers(out, part->linear);
+      append_numbers(out, part->f82);
+    }
+    append_numbers(out, row.coat->energy_left.linear);
+  }
+  out += '\n';
+}
+
+std::string f0_table(std::span<const F0Row> given, const F0Options& options, bool color,
                      std::size_t line_width) {
+  const std::vector<F0Row> rows = with_coats(given);
   const bool is_xyz = !options.custom_space && options.space == RgbSpace::xyz;
   const std::array<std::string, 3> channel =
       is_xyz ? std::array<std::string, 3>{"X", "Y", "Z"} : std::array<std::string, 3>{"r", "g", "b"};

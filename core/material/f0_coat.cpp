@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Based on: Born and Wolf, "Principles of Optics"; the sum of intensities in core/film/stack.h; OpenPBR 1.1.1, "Coat", for
+// what is told of the energy.
+#include "core/material/f0_coat.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.h"
+#include "core/base/setting.h"
+#include "core/film/stack.h"
+#include "core/fresnel/fresnel.h"
+#include "core/material/f0_steps.h"
+#include "core/material/quality.h"
+
+namespace etak {
+namespace {
+
+F0Result colour_of(const F0Setup& setup, const FilmSpectra& film, std::vector<double>& r0) {
+  std::vector<double> r82(r0.size());
+  film_reflectance(film, 1, r0);
+  film_reflectance(film, f82_cosine, r82);
+  return with_colour({}, setup.options, setup.quadrature, setup.spaces, r0, r82);
+}
+
+}  // namespace
+
+void validate(const Coat&, const F0Options& options) {
+  if (f0_setup(options).needs_knots())
+    throw Error::at(setting("method"), std::string(name(options.method)) + " beside a coat",
+                    "1nm or another sum");
+}
+
+std::string coated(const Coat& coat, const F0Options& options, const Optics& optics, CoatedF0& out) {
+  if (std::holds_alternative<Reflectance>(optics))
+    return "reflectance at normal incidence tells nothing of what is reflected under a coat";
+  const F0Setup setup = f0_setup(options);
+  const Quadrature& q = setup.quadrature;
+  Stack stack = stack_of(optics);
+  stack.media.push_back({coat.label, {}, {}, coat.medium});
+  stack.layers.insert(stack.layers.begin(), {stack.media.size() - 1, coat.thickness_nm, false});
+  StackSpectra spectra;
+  if (std::string why = stack_spectra(setup, stack, q, spectra); !why.empty()) return why;
+  const FilmSpectra whole = spectra.film(stack, q);
+  const FilmSpectra::Medium medium = whole.layers.front().medium;
+  FilmSpectra under = whole;
+  under.outside = medium.n;
+  under.layers.erase(under.layers.begin());
+  std::vector<double> f0_under(q.wavelength_nm.size()), left(f0_under.size());
+  out.n = coat.n;
+  out.whole = colour_of(setup, whole, left);
+  out.under = colour_of(setup, under, f0_under);
+  film_reflectance({q.wavelength_nm, whole.outside, {}, {medium.n, {}}}, 1, left);  // of the coat's surface
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const double kept =
+        std::exp(-8 * std::numbers::pi * medium.k[i] * coat.thickness_nm / q.wavelength_nm[i]);
+    const double surface = left[i], passes = 1 - surface;
+    left[i] = kept * passes * passes / (1 - kept * surface * f0_under[i]);
+  }
+  out.energy_left = with_colour({}, setup.options, q, setup.spaces, left, {});
+  drop_zone(out.energy_left);
+  return {};
+}
+
+}  // namespace etak
