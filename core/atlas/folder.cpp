@@ -8,6 +8,8 @@
 #include "core/base/files/links.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
+#include "core/image/picture_endings.h"
+#include "core/names/names.h"
 
 namespace etak {
 namespace {
@@ -66,6 +68,24 @@ bool split(const std::string& file, const Pattern& pattern, std::string& name, s
 }
 
 }  // namespace
+
+bool all_follow(const std::string& folder, const std::string& pattern_text) {
+  const Pattern pattern = parse_pattern(pattern_text);
+  const NameReader reader({});
+  std::error_code failure;
+  bool any = false;
+  for (const auto& entry : fs::directory_iterator(folder, failure)) {
+    const std::string file = sys::path_text(entry.path().filename());
+    std::string name, role;
+    if (split(file, pattern, name, role)) {
+      any = true;
+    } else if (has_picture_ending(file)) {
+      const auto known = reader.read(file);
+      if (known && (is_judged(known->role) || is_map(known->role))) return false;
+    }
+  }
+  return any;
+}
 
 AtlasManifest manifest_of_folder(const std::string& folder, const std::string& pattern_text,
                                  std::vector<std::string>* skipped) {

@@ -70,5 +70,7 @@ AtlasManifest parse_manifest(std::string_view text, const std::string& file);
 ///   skipped   where given, gets the paths that match and are no regular files, such as pipes
 AtlasManifest manifest_of_folder(const std::string& folder, const std::string& pattern,
                                  std::vector<std::string>* skipped = nullptr);
+/// Whether a picture of a folder follows the pattern, and all do whose names tell the packer something.
+bool all_follow(const std::string& folder, const std::string& pattern);
 
 }  // namespace etak

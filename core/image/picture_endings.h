@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
+
+#include "core/base/text/ascii.h"
 
 namespace etak {
 
@@ -10,6 +14,13 @@ namespace etak {
 /// file is told by its first bytes (picture_bytes.h).
 inline constexpr std::array<std::string_view, 8> picture_endings{"png", "tif",  "tiff", "exr",
                                                                  "jpg", "jpeg", "tga",  "webp"};
+
+/// Whether a file's name has one of these endings.
+inline bool has_picture_ending(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  const std::string ending = dot == name.npos ? "" : lower_case(name.substr(dot + 1));
+  return std::ranges::find(picture_endings, ending) != picture_endings.end();
+}
 
 /// The ending of Radiance files, which etak takes for light of an environment and not for textures.
 inline constexpr std::string_view radiance_ending = "hdr";

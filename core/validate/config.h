@@ -9,7 +9,7 @@
 
 #include "core/judge/settings.h"
 #include "core/judge/target.h"
-#include "core/validate/names/names.h"
+#include "core/names/names.h"
 
 namespace etak {
 

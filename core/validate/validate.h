@@ -17,7 +17,7 @@
 #include "core/runs/cache_use.h"
 #include "core/runs/shards.h"
 #include "core/validate/config.h"
-#include "core/validate/names/listing.h"
+#include "core/validate/find/listing.h"
 
 namespace etak {
 

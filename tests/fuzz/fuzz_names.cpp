@@ -13,7 +13,7 @@
 
 #include "app/cli/inputs/inputs.h"
 #include "core/base/error.h"
-#include "core/validate/names/names.h"
+#include "core/names/names.h"
 
 using namespace etak;
 

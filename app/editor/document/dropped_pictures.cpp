@@ -12,8 +12,8 @@
 #include "core/base/files/file.h"
 #include "core/image/image_io.h"
 #include "core/image/picture_bytes.h"
+#include "core/names/picture_sets.h"
 #include "core/validate/find/picture_namer.h"
-#include "core/validate/find/picture_sets.h"
 
 namespace etak::editor {
 namespace {

@@ -56,7 +56,7 @@ struct PackInputOptions {
   // Asked of every JSON file: the manifest that it stands for where it is none itself, such as a project.
   // Empty: every one is a manifest.
   std::function<std::optional<PackManifest>(const std::string& text, const std::string& file)> other_manifest;
-  std::string pattern = "{name}_{role}.png";  // of a folder
+  std::string pattern;  // of a folder, as "{name}_{role}.png"; empty: see manifest_in_folder() of source.h
   GltfOptions gltf;
   PictureReading pictures;
   std::string space_config;  // the file that pictures.open_space reads; empty: none

@@ -27,7 +27,7 @@ struct PackSettings {
   double texel_density = 0;
   int view_height = 0;
   // content
-  std::string pattern = "{name}_{role}.png", gloss, ocio, gltf_form = "specular-ior", goal = "gpu";
+  std::string pattern, gloss, ocio, gltf_form = "specular-ior", goal = "gpu";
   std::vector<std::string> space_of;
   bool bleed = false, all_scenes = false, drop_variants = false;
   int scene = -1;  // the file's own

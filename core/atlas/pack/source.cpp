@@ -30,11 +30,11 @@ PackInputs inputs_of(const PackManifest& of, const PackOptions& options, const M
 
 PackInputs inputs_of_folder(const std::string& folder, const PackOptions& options,
                             const MaterialLibrary& library) {
-  std::vector<std::string> skipped;
-  PackInputs out = inputs_of(manifest_of_folder(folder, options.input.pattern, &skipped), options, library);
-  std::sort(skipped.begin(), skipped.end());
-  if (!skipped.empty()) out.remarks.push_back(skipped_remark(skipped));
-  out.settings += options.input.pattern;
+  std::vector<std::string> remarks;
+  std::string pattern;
+  PackInputs out = inputs_of(manifest_in_folder(folder, options, remarks, pattern), options, library);
+  out.remarks.insert(out.remarks.end(), remarks.begin(), remarks.end());
+  out.settings += pattern;
   return out;
 }
 
@@ -46,6 +46,21 @@ PackManifest manifest_in(const std::string& path, const PackOptions& options) {
 }
 
 }  // namespace
+
+AtlasManifest manifest_in_folder(const std::string& folder, const PackOptions& options,
+                                 std::vector<std::string>& remarks, std::string& pattern) {
+  std::vector<std::string> skipped;
+  AtlasManifest out;
+  pattern = options.input.pattern.empty() && all_follow(folder, default_pattern) ? default_pattern
+                                                                                 : options.input.pattern;
+  if (pattern.empty())
+    out = manifest_of_names(folder, options.input.pictures.door, skipped, remarks);
+  else
+    out = manifest_of_folder(folder, pattern, &skipped);
+  std::ranges::sort(skipped);
+  if (!skipped.empty()) remarks.push_back(skipped_remark(skipped));
+  return out;
+}
 
 const std::vector<PackInput>& PackSource::materials() const {
   return one_page ? one_page->materials : inputs.materials;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/atlas/pack/scene/gltf_pack.h"
 #include "core/atlas/sources/sources.h"
@@ -24,6 +25,14 @@ struct PackSource {
   /// The materials as they were read.
   const std::vector<PackInput>& materials() const;
 };
+
+/// The materials of a folder, by options.input.pattern, or by the conventions of names where there is none. A folder all
+/// of whose known names follow default_pattern, whose gloss is Schueler's, is read by that.
+///   remarks   gets what was skipped or left out
+///   pattern   gets the pattern that was taken; empty: none
+inline constexpr const char* default_pattern = "{name}_{role}.png";
+AtlasManifest manifest_in_folder(const std::string& folder, const PackOptions& options,
+                                 std::vector<std::string>& remarks, std::string& pattern);
 
 /// Reads a manifest, a folder or a glTF scene. Throws Error, also for options that say nothing of such an
 /// input.

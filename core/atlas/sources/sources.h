@@ -56,6 +56,15 @@ struct PackInputs {
   std::string settings;              // all that decides the result, except for the bytes of the files
 };
 
+/// The materials of a folder whose files are named as etak validate reads names (core/names): sets of a colour with its
+/// parts, single or packed, each with its normal map and opacity. A base colour without metalness is a dielectric where
+/// its convention means that. Gloss and smoothness are 1 - roughness. Sorted by name.
+///   skipped   gets the paths that are no regular files, such as pipes
+///   remarks   gets the sets that are left out, because something of them is missing
+/// Throws Error where no set is whole.
+AtlasManifest manifest_of_names(const std::string& folder, const PictureDoor& door,
+                                std::vector<std::string>& skipped, std::vector<std::string>& remarks);
+
 /// Opens a colour space that etak does not have itself. Throws Error that tells the nearest names.
 using SpaceOpener = std::function<SpaceCurve(const std::string& name)>;
 

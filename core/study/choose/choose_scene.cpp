@@ -60,7 +60,8 @@ std::vector<ChooseSubject> scene_subjects(const std::string& path, const PackOpt
     inputs = scene->inputs;
     add_remarks(*scene, {}, remarks);
   } else {
-    manifest = is_folder(path) ? manifest_of_folder(path, options.input.pattern)
+    std::string pattern;
+    manifest = is_folder(path) ? manifest_in_folder(path, options, remarks, pattern)
                                : parse_manifest(read_file(path), path);
     inputs = resolve_manifest(manifest, library, options.input.pictures);
   }

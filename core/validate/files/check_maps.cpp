@@ -12,7 +12,7 @@
 #include "core/image/load.h"
 #include "core/judge/maps/map_survey.h"
 #include "core/validate/files/load.h"
-#include "core/validate/names/names.h"
+#include "core/names/names.h"
 
 namespace etak {
 namespace {

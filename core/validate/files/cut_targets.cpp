@@ -11,7 +11,7 @@
 #include "core/base/hash/content_hash.h"
 #include "core/base/parallel.h"
 #include "core/base/system.h"
-#include "core/validate/names/names.h"
+#include "core/names/names.h"
 
 namespace etak {
 namespace {

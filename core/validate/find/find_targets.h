@@ -7,7 +7,7 @@
 
 #include "core/findings/report.h"
 #include "core/judge/target.h"
-#include "core/validate/names/listing.h"
+#include "core/validate/find/listing.h"
 #include "core/validate/validate.h"
 
 namespace etak {

@@ -10,10 +10,6 @@
 
 namespace etak {
 
-std::string_view folder_of(std::string_view path) {
-  return path.substr(0, path.rfind('/') + 1);  // npos + 1 is 0
-}
-
 std::string PictureNamer::label(const std::string& path) {
   // Input from a pipe lies in no folder and keeps its name.
   if (is_pipe_input(path)) return path;
@@ -57,20 +53,7 @@ std::optional<NamedPicture> PictureNamer::named(const std::string& path) {
       return out;
     }
   }
-  auto parsed = reader_.read(name);
-  // "basecolor/wall.png", and "normal/wall_normal.png" whose folder says the same: the set lies in the folder around.
-  const std::string_view around = folder_of(folder.substr(0, folder.size() - !folder.empty()));
-  auto of_folder = reader_.read_in_folder(folder.substr(around.size()), name);
-  out.by_folder = of_folder && (!parsed || parsed->role == of_folder->role);
-  if (!parsed) parsed = std::move(of_folder);
-  if (!parsed) return std::nullopt;
-  out.name = std::move(*parsed);
-  out.guessed = out.name.convention != Convention::own;
-  out.key = lower_case(std::string(out.by_folder ? around : folder) + out.name.set);
-  // Each part begins with a line end, so that keys with and without it differ.
-  if (!out.name.tile.empty()) out.key += '\n' + out.name.tile;
-  if (!out.name.lod.empty()) out.key += '\n' + out.name.lod;
-  return out;
+  return picture_named(reader_, path);
 }
 
 }  // namespace etak

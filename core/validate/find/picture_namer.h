@@ -5,14 +5,11 @@
 #include <string>
 #include <string_view>
 
+#include "core/names/names.h"
+#include "core/names/picture_sets.h"
 #include "core/validate/config.h"
-#include "core/validate/find/picture_sets.h"
-#include "core/validate/names/names.h"
 
 namespace etak {
-
-/// The folder of a path, ending in '/'; empty for a bare name.
-std::string_view folder_of(std::string_view path);
 
 /// Labels of files, and what the names of pictures tell. It remembers the folder it was asked for last, because
 /// files of one folder mostly come one after the other: each thread has one of its own.

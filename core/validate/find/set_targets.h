@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/image/picture.h"
+#include "core/names/picture_sets.h"
 #include "core/validate/find/find_targets.h"
 #include "core/validate/find/picture_namer.h"
-#include "core/validate/find/picture_sets.h"
 
 namespace etak {
 

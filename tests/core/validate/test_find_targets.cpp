@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/validate/names/listing.h"
+#include "core/validate/find/listing.h"
 #include "core/validate/validate.h"
 #include "tests/support.h"
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <map>
 
+#include "core/names/names.h"
+#include "core/names/picture_sets.h"
 #include "core/validate/find/picture_namer.h"
-#include "core/validate/find/picture_sets.h"
-#include "core/validate/names/names.h"
 #include "tests/support.h"
 
 using namespace etak;

@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/validate/names/listing.h"
-#include "core/validate/names/names.h"
+#include "core/names/names.h"
 
 namespace etak {
+
+/// What becomes of a file that was found.
+enum class ListedAs {
+  judged,      // checked by the rules, alone or with the files of its set
+  not_judged,  // known, but no rule is about what it holds
+  lone,        // without the companion that it would be judged with (ETK002)
+  unknown,     // its name tells no role
+  unreadable,  // cannot be checked at all (ETK001)
+};
+std::string_view name(ListedAs as);  // "checked", "not checked by a rule", "missing companion", ...
+
+/// The folder of a path, ending in '/'; empty for a bare name.
+std::string_view folder_of(std::string_view path);
 
 /// A picture with what its name tells, and what is done with it.
 struct NamedPicture {
@@ -23,6 +37,9 @@ struct NamedPicture {
   ListedAs as = ListedAs::not_judged;
   std::string note;
 };
+
+/// A picture by what its name tells, or the name of its folder; nullopt: neither tells a role.
+std::optional<NamedPicture> picture_named(const NameReader& reader, const std::string& path);
 
 /// Pictures that are judged together, or that would be if their companion were there.
 ///   missing   what is missing, for ETK002: "a base colour without roughness"; empty: the set is whole, or

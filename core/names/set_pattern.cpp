@@ -2,7 +2,7 @@
 // Names of pictures by a pattern of etak.toml that says where the set and the role stand.
 #include <algorithm>
 
-#include "core/validate/names/names.h"
+#include "core/names/names.h"
 
 namespace etak {
 namespace {

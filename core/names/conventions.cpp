@@ -11,7 +11,7 @@
 #include <array>
 #include <utility>
 
-#include "core/validate/names/names.h"
+#include "core/names/names.h"
 
 namespace etak {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/base/text/ascii.h"
-#include "core/validate/names/names.h"
+#include "core/names/names.h"
 
 namespace etak {
 

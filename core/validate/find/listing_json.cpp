@@ -6,7 +6,7 @@
 #include "core/base/number.h"
 #include "core/base/text/text.h"
 #include "core/findings/output/formats.h"
-#include "core/validate/names/listing.h"
+#include "core/validate/find/listing.h"
 
 namespace etak {
 namespace {
@@ -45,22 +45,6 @@ bool was_read(const ListedFile& file) {
 }
 
 }  // namespace
-
-std::string_view name(ListedAs as) {
-  switch (as) {
-    case ListedAs::judged:
-      return "checked";
-    case ListedAs::not_judged:
-      return "not checked by a rule";
-    case ListedAs::lone:
-      return "missing companion";
-    case ListedAs::unknown:
-      return "not recognised";
-    case ListedAs::unreadable:
-      return "unreadable";
-  }
-  return "";
-}
 
 std::string file_list_text(const FileList& list) {
   std::string out;

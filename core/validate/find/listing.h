@@ -6,19 +6,9 @@
 #include <vector>
 
 #include "core/findings/report.h"
-#include "core/validate/names/names.h"
+#include "core/names/picture_sets.h"
 
 namespace etak {
-
-/// What becomes of a file that was found.
-enum class ListedAs {
-  judged,      // checked by the rules, alone or with the files of its set
-  not_judged,  // known, but no rule is about what it holds
-  lone,        // without the companion that it would be judged with (ETK002)
-  unknown,     // its name tells no role
-  unreadable,  // cannot be checked at all (ETK001)
-};
-std::string_view name(ListedAs as);  // "checked", "not checked by a rule", "missing companion", ...
 
 /// A file of etak validate --list-files. Files and sets are relative to the run's root.
 struct ListedFile {

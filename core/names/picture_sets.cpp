@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/find/picture_sets.h"
+#include "core/names/picture_sets.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include "core/base/text/ascii.h"
 
 namespace etak {
 namespace {
@@ -287,6 +289,46 @@ std::vector<std::vector<NamedPicture*>> numbered_groups(std::vector<NamedPicture
 }
 
 }  // namespace
+
+std::string_view name(ListedAs as) {
+  switch (as) {
+    case ListedAs::judged:
+      return "checked";
+    case ListedAs::not_judged:
+      return "not checked by a rule";
+    case ListedAs::lone:
+      return "missing companion";
+    case ListedAs::unknown:
+      return "not recognised";
+    case ListedAs::unreadable:
+      return "unreadable";
+  }
+  return "";
+}
+
+std::string_view folder_of(std::string_view path) {
+  return path.substr(0, path.rfind('/') + 1);  // npos + 1 is 0
+}
+
+std::optional<NamedPicture> picture_named(const NameReader& reader, const std::string& path) {
+  const std::string_view folder = folder_of(path), name = std::string_view(path).substr(folder.size());
+  NamedPicture out;
+  out.path = path;
+  auto parsed = reader.read(name);
+  // "basecolor/wall.png", and "normal/wall_normal.png" whose folder says the same: the set lies in the folder around.
+  const std::string_view around = folder_of(folder.substr(0, folder.size() - !folder.empty()));
+  auto of_folder = reader.read_in_folder(folder.substr(around.size()), name);
+  out.by_folder = of_folder && (!parsed || parsed->role == of_folder->role);
+  if (!parsed) parsed = std::move(of_folder);
+  if (!parsed) return std::nullopt;
+  out.name = std::move(*parsed);
+  out.guessed = out.name.convention != Convention::own;
+  out.key = lower_case(std::string(out.by_folder ? around : folder) + out.name.set);
+  // Each part begins with a line end, so that keys with and without it differ.
+  if (!out.name.tile.empty()) out.key += '\n' + out.name.tile;
+  if (!out.name.lod.empty()) out.key += '\n' + out.name.lod;
+  return out;
+}
 
 std::vector<PictureSet> sets_of(std::span<NamedPicture> same) {
   const bool agree = unsure_agree(same);
