@@ -9,11 +9,11 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/files/input.h"
 #include "core/base/files/steady_file.h"
 #include "core/image/files/icc.h"
 #include "core/image/picture_bytes.h"
@@ -60,11 +60,10 @@ struct Input {
 }
 
 void check_spec(const OIIO::ImageSpec& spec, const std::string& label) {
-  if (spec.width < 1 || spec.height < 1 || spec.width > max_image_side || spec.height > max_image_side ||
-      spec.depth > 1)
-    throw Error::at(label,
-                    "is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
-                    "1 to " + std::to_string(max_image_side) + " on a side");
+  const auto side = [](int pixels) { return pixels < 0 ? std::size_t{0} : static_cast<std::size_t>(pixels); };
+  check_size({side(spec.width), side(spec.height)}, label);
+  if (spec.depth > 1)
+    throw Error::at(label, "is a volume of " + std::to_string(spec.depth) + " slices", "a flat picture");
   if (spec.nchannels < 1 || spec.nchannels > 4)
     throw Error::at(label, "has " + std::to_string(spec.nchannels) + " channels", "1 to 4");
   if (spec.deep) throw Error::at(label, "is a deep picture", "one value for each channel of a pixel");
@@ -113,40 +112,32 @@ Input open_bytes(std::string_view bytes, const std::string& label) {
 }
 
 // OpenEXR and TIFF, whose files can be large and whose decoders notice an early end, are read piece by piece;
-// other known formats are read whole. For formats that etak does not know by their first bytes, OpenImageIO
-// goes by the ending of the name and then tries all its readers.
+// other formats are read whole. Bytes of no known format are given to no reader: OpenImageIO would try all that it has,
+// those of films, camera files and scans too.
 void open_file(Input& out, const std::string& path) {
   std::string head(std::min<std::size_t>(out.file->size(), 32), '\0');
   out.file->read(0, head.data(), head.size());
   if (head.empty()) throw Error::at(path, "is empty", "a picture");
   const std::string format = picture_format(head, path);
-  if (format.empty()) {
-    if (is_pipe_input(path)) fail_no_picture(path, "its first bytes are those of no known format");
-    out.proxy = std::make_unique<ProxyOfFile>(*out.file);
-    OIIO::ImageSpec config;
-    config[unassociated] = 1;
-    out.reader = OIIO::ImageInput::open(path, &config, out.proxy.get());
-    if (!out.reader) {
-      (void)OIIO::geterror();
-      fail_no_picture(path, "its first bytes are those of no known format");
-    }
-  } else {
-    if (format != "openexr" && format != "tiff") {
-      out.kept = std::make_unique<std::string>(out.file->all());
-      out.bytes = *out.kept;
-    }
-    open_reader(out, format, path);
+  if (format.empty()) fail_no_picture(path, "its first bytes are those of no known format");
+  if (format != "openexr" && format != "tiff") {
+    out.kept = std::make_unique<std::string>(out.file->all());
+    out.bytes = *out.kept;
   }
+  open_reader(out, format, path);
   check_spec(out.reader->spec(), path);
 }
 
-// Returns work(). The readers of some formats throw std::length_error where the sizes in a broken file cannot be.
+// Returns work(). The readers of some formats throw std::length_error where the sizes in a broken file cannot be,
+// and std::bad_alloc where these are merely too large.
 template <class Work>
 auto with_possible_sizes(const std::string& label, Work work) {
   try {
     return work();
   } catch (const std::length_error&) {
     throw Error::at(label, "is broken: sizes in it cannot be", "a whole picture");
+  } catch (const std::bad_alloc&) {
+    throw Error::at(label, "needs more memory than there is", "a smaller picture");
   }
 }
 

@@ -28,7 +28,7 @@ namespace etak {
 
 PictureHeader read_picture_header(const std::string& path);
 
-/// Reads any picture file that OpenImageIO knows. Codes of 8 and 16 bits become code / 255 and code / 65535.
+/// Reads a picture of a format that picture_format() knows. Codes of 8 and 16 bits become code / 255 and code / 65535.
 /// No transfer curve is undone: the values of a PNG stay encoded. NaN and infinity are kept as they are.
 Image read_image(const std::string& path);
 

@@ -5,11 +5,13 @@
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 #include "core/base/error.h"
 #include "core/base/text/ascii.h"
 #include "core/image/files/png.h"
 #include "core/image/files/png_chunks.h"
+#include "core/image/image.h"
 
 namespace etak {
 namespace {
@@ -28,15 +30,18 @@ constexpr std::array signatures{
     Signature{{"MM\0*", 4}, "tiff"},
     Signature{{"II+\0", 4}, "tiff"},
     Signature{{"MM\0+", 4}, "tiff"},
-    Signature{{"GIF87a", 6}, "gif"},
-    Signature{{"GIF89a", 6}, "gif"},
+    Signature{{"GIF", 3}, "gif"},  // all that its decoder asks for
     Signature{{"BM", 2}, "bmp"},
     Signature{{"DDS ", 4}, "dds"},
+    Signature{{"\xABKTX 20\xBB\r\n\x1A\n", 12}, "ktx2"},
     Signature{{"8BPS", 4}, "psd"},
     Signature{{"SDPX", 4}, "dpx"},
     Signature{{"XPDS", 4}, "dpx"},
     Signature{{"\0\0\0\x0CjP  \r\n\x87\n", 12}, "jpeg2000"},
 };
+
+// Codes of a GIF file have 12 bits at most, and a code stands for 4096 pixels at most (GIF89a, appendix F).
+constexpr std::size_t most_gif_pixels_a_byte = 4096 * 8 / 12;
 
 std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t size, bool big_endian) {
   std::uint32_t out = 0;
@@ -73,6 +78,31 @@ void check_jpeg(std::string_view bytes, std::string_view label) {
 
 void check_webp(std::string_view bytes, std::string_view label) {
   if (bytes.size() < 20 || number(bytes, 4, 4, false) > bytes.size() - 8) fail_cut(label);
+}
+
+// The container format of WebP (RFC 9649, 2.5 to 2.7): the first chunk is a lossy frame, a lossless one, or the head
+// of an extended file, whose canvas holds all frames.
+std::optional<StatedSize> webp_size(std::string_view bytes) {
+  if (bytes.size() < 30) return {};
+  const std::string_view chunk = bytes.substr(12, 4);
+  if (chunk == "VP8 ")
+    return StatedSize{number(bytes, 26, 2, false) & 0x3FFF, number(bytes, 28, 2, false) & 0x3FFF};
+  if (chunk == "VP8L") {
+    const std::uint32_t sides = number(bytes, 21, 4, false);
+    return StatedSize{(sides & 0x3FFF) + 1, (sides >> 14 & 0x3FFF) + 1};
+  }
+  if (chunk == "VP8X") return StatedSize{number(bytes, 24, 3, false) + 1, number(bytes, 27, 3, false) + 1};
+  return {};
+}
+
+// A BMP file starts with 14 bytes, then the size of the next head: 12 in the oldest form, whose sides have two bytes.
+// A height below 0 means rows from the top.
+std::optional<StatedSize> bmp_size(std::string_view bytes) {
+  if (bytes.size() < 26) return {};
+  if (number(bytes, 14, 4, false) == 12)
+    return StatedSize{number(bytes, 18, 2, false), number(bytes, 20, 2, false)};
+  const auto height = static_cast<std::int32_t>(number(bytes, 22, 4, false));
+  return StatedSize{number(bytes, 18, 4, false), static_cast<std::size_t>(std::abs(std::int64_t{height}))};
 }
 
 // Looks for the first chunk with picture data: "VP8 " is lossy, "VP8L" lossless. In the extended file format
@@ -117,10 +147,32 @@ bool is_lossy(std::string_view bytes, std::string_view format, std::string_view 
   return false;
 }
 
+std::optional<StatedSize> stated_size(std::string_view bytes, std::string_view format) {
+  if (format == "webp") return webp_size(bytes);
+  if (format == "bmp") return bmp_size(bytes);
+  if (format == "gif" && bytes.size() >= 10)
+    return StatedSize{number(bytes, 6, 2, false), number(bytes, 8, 2, false)};
+  return {};
+}
+
+void check_size(const StatedSize& size, std::string_view label) {
+  if (size.width < 1 || size.height < 1 || size.width > max_image_side || size.height > max_image_side)
+    throw Error::at(label,
+                    "is " + std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels",
+                    "1 to " + std::to_string(max_image_side) + " on a side");
+}
+
 void check_whole(std::string_view bytes, std::string_view format, std::string_view label) {
   if (format == "png") check_png(bytes, label);
   if (format == "jpeg") check_jpeg(bytes, label);
   if (format == "webp") check_webp(bytes, label);
+  const std::optional<StatedSize> size = stated_size(bytes, format);
+  if (!size) return;
+  check_size(*size, label);
+  if (format == "gif" && size->width * size->height > most_gif_pixels_a_byte * bytes.size())
+    throw Error::at(
+        label, "states " + std::to_string(size->width) + " x " + std::to_string(size->height) + " pixels",
+        "no more than its " + std::to_string(bytes.size()) + " bytes can hold");
 }
 
 }  // namespace etak

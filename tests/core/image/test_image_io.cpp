@@ -122,4 +122,21 @@ TEST_CASE("errors name the file: missing, no picture, cut short, in the way, unw
   says(test::error_of([&] { write_png(nowhere, two_textures(), false); }), nowhere, "cannot be written");
 }
 
+TEST_CASE(
+    "a size that the file cannot hold or etak does not read is refused before a decoder takes memory for it") {
+  const auto why = [](const std::string& bytes, const char* name) {
+    return test::error_of([&] { (void)read_picture(bytes, name); });
+  };
+  using namespace std::string_literals;
+  CHECK(test::contains(why("GIF89a\xFF\x3F\xFF\x3F\0\0\0;"s, "a.gif"),
+                       "states 16383 x 16383 pixels; expected no more than its 14 bytes can hold"));
+  CHECK(
+      test::contains(why("GIF89a\0\0\xFF\x3F\0\0\0;"s, "a.gif"), "is 0 x 16383 pixels; expected 1 to 16384"));
+  CHECK(test::contains(why("RIFF\x16\0\0\0WEBPVP8X\x0A\0\0\0\0\0\0\0\xFF\xFF\xFF\x01\0\0"s, "a.webp"),
+                       "is 16777216 x 2 pixels; expected 1 to 16384"));
+  CHECK(test::contains(
+      why("BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x01\0\0\0\0\0\0\x80\x01\0\x08\0\x01\0\0\0"s, "a.bmp"),
+      "is 1 x 2147483648 pixels; expected 1 to 16384"));
+}
+
 }  // namespace etak
