@@ -58,7 +58,33 @@ bool is_plain_file_name(std::string_view name) {
          sys::takes_file_name(name);
 }
 
+namespace {
+
+// Folders that were made for the target to lie in. Unless they are kept, those that are empty are removed.
+class MadeParents {
+ public:
+  MadeParents() = default;
+  MadeParents(const MadeParents&) = delete;
+  MadeParents& operator=(const MadeParents&) = delete;
+  ~MadeParents() {
+    std::error_code failure;
+    for (; !made_.empty(); made_.pop_back()) std::filesystem::remove(made_.back(), failure);
+  }
+  void make(const std::filesystem::path& folder, std::error_code& failure) {
+    if (std::filesystem::exists(folder, failure) || failure || !folder.has_relative_path()) return;
+    make(folder.parent_path(), failure);
+    if (!failure && std::filesystem::create_directory(folder, failure)) made_.push_back(folder);
+  }
+  void keep() { made_.clear(); }
+
+ private:
+  std::vector<std::filesystem::path> made_;
+};
+
+}  // namespace
+
 struct OutputFolder::State {
+  MadeParents made;         // removed after all that lies in it
   std::string path;         // as the caller wrote it, for messages
   std::string parent_path;  // without links
   std::string name;         // of the target in its parent
@@ -108,10 +134,11 @@ void OutputFolder::State::find_target() {
   if (fs::exists(status) && !fs::is_directory(status))
     throw Error::at(path, "is a file", "a folder to write to");
   const bool there = fs::exists(status);
+  if (!there) made.make(full.parent_path(), failure);
+  if (failure) throw Error::at(path, "cannot be written: " + failure.message(), "a folder that can be made");
   const fs::path whole =
       there ? fs::canonical(full, failure) : fs::canonical(full.parent_path(), failure) / full.filename();
-  if (failure)
-    throw Error::at(path, "cannot be written: " + failure.message(), "a folder whose parent exists");
+  if (failure) throw Error::at(path, "cannot be written: " + failure.message(), "a folder that can be made");
   if (!there && (fs::is_symlink(fs::symlink_status(full, failure)) || full.filename() == "." ||
                  full.filename() == ".."))
     throw Error::at(path, "is a link that leads nowhere", "a folder to write to");
@@ -361,6 +388,7 @@ void OutputFolder::place() {
   else
     state_->rename_one_by_one();
   state_->placing.reset();
+  state_->made.keep();
 }
 
 void OutputFolder::flush() {

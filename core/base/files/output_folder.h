@@ -32,7 +32,8 @@ bool is_plain_file_name(std::string_view name);
 /// A symbolic link to a folder stays, and the folder it leads to is the target.
 class OutputFolder : public Output {
  public:
-  /// Creates the new folder. The parents of `path` must exist. Throws Error.
+  /// Creates the new folder, and the parents of `path` that are not there; these are removed again where nothing is put in
+  /// place. Throws Error.
   OutputFolder(const std::string& path, Replace replace);
   ~OutputFolder() override;
 

@@ -174,7 +174,7 @@ TEST_CASE("a link to a folder stays, a file or a link to nowhere in the way is a
       test::contains(test::error_of([&] { put(folder.file("file"), {}); }), "is a file; expected a folder"));
   fs::create_symlink("nowhere", folder.file("broken"));
   CHECK(test::contains(test::error_of([&] { put(folder.file("broken"), {}); }), "leads nowhere"));
-  CHECK(test::contains(test::error_of([&] { put(folder.file("no/such"), {}); }), "cannot be written"));
+  CHECK(test::contains(test::error_of([&] { put(folder.file("file/such"), {}); }), "cannot be written"));
   CHECK(test::contains(test::error_of([&] { put("", {}); }), "no folder's name"));
 }
 
@@ -252,6 +252,23 @@ TEST_CASE("a full disk is an Error, and the old set stays") {
   });
   CHECK(status == 7);
   CHECK(all_in(folder.path()) == Files{{"out/", ""}, {"out/a", "old"}});
+}
+
+TEST_CASE("parents that are not there are made, and removed again where nothing is put in place") {
+  const test::TempFolder folder;
+  {
+    OutputFolder lost(folder.file("a/b/c"), Replace::nothing);
+    lost.write("x", "1");
+    CHECK(fs::is_directory(folder.file("a/b")));
+  }
+  CHECK_FALSE(fs::exists(folder.file("a")));
+  fs::create_directory(folder.file("a"));
+  { OutputFolder lost(folder.file("a/b/c"), Replace::nothing); }
+  CHECK(all_in(folder.path()) == Files{{"a/", ""}});
+  put(folder.file("a/b/c"), {{"x", "1"}});
+  CHECK(all_in(folder.path()) == Files{{"a/", ""}, {"a/b/", ""}, {"a/b/c/", ""}, {"a/b/c/x", "1"}});
+  test::spit(folder.file("file"), "");
+  CHECK(test::contains(test::error_of([&] { put(folder.file("file/out"), {}); }), "cannot be written"));
 }
 
 TEST_CASE("below a parent that cannot be written an old target is filled in place, a new one is an Error") {
