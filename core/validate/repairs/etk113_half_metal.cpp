@@ -9,17 +9,6 @@ namespace etak {
 
 namespace {
 
-// The channels of a picture that hold metallic: [first, last).
-std::array<std::size_t, 2> metallic_channels(const RepairPicture& picture) {
-  if (picture.file.role == FileRole::metallic) return {0, picture.colour_channels()};
-  // As glTF packs them where the name does not say it.
-  const std::string_view letters =
-      picture.file.channels.empty() ? "-rm-" : std::string_view(picture.file.channels);
-  const std::size_t at = letters.find('m');
-  const auto channels = static_cast<std::size_t>(picture.codes.channels);
-  return at < channels ? std::array{at, at + 1} : std::array<std::size_t, 2>{0, 0};
-}
-
 // Mean luminance of the base colour on a region; none where its picture has another size.
 std::optional<double> base_luminance(const RepairBench& bench, const RepairRegion& region,
                                      const Image8& marks) {

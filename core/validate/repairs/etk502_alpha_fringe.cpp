@@ -52,9 +52,9 @@ void bleed_colour(RepairPicture& a, const HiddenTexels& hidden, TextureTransfer 
       [&](float light) { return a.code(encode_of(transfer, std::clamp(double{light}, 0.0, 1.0))); });
 }
 
-// Hidden texels that filtering reads beside visible ones get the colour of the nearest of them.
-void repeat_edge(RepairPicture& a, const HiddenTexels& hidden) {
-  const int width = a.codes.width, height = a.codes.height;
+// Hidden texels that filtering reads beside visible ones get the channels [first, last) of the nearest of them.
+void repeat_edge(RepairPicture& picture, const HiddenTexels& hidden, std::size_t first, std::size_t last) {
+  const int width = picture.codes.width, height = picture.codes.height;
   const auto index = [&](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   };
@@ -71,8 +71,10 @@ void repeat_edge(RepairPicture& a, const HiddenTexels& hidden) {
           nearest = index(u, v);
         }
       if (least > 2 * fringe_width * fringe_width) continue;
-      const auto from = a.texel(nearest), to = a.texel(index(x, y));
-      std::copy_n(from.begin(), a.colour_channels(), to.begin());
+      const auto from = picture.texel(nearest), to = picture.texel(index(x, y));
+      std::copy(from.begin() + static_cast<std::ptrdiff_t>(first),
+                from.begin() + static_cast<std::ptrdiff_t>(last),
+                to.begin() + static_cast<std::ptrdiff_t>(first));
     }
 }
 
@@ -81,7 +83,13 @@ RepairOutcome bleed_hidden(const RepairBench& bench) {
   if (a == nullptr || a->codes.channels % 2 != 0) return {"", "alpha is in no channel of the file"};
   const HiddenTexels hidden(*a);
   bleed_colour(*a, hidden, bench.settings.transfer);
-  repeat_edge(*a, hidden);
+  repeat_edge(*a, hidden, 0, a->colour_channels());
+  // What filtering mixes is base colour and metallic, each by itself; the rule sees the diffuse colour of both.
+  RepairPicture* metal = bench.with_role({FileRole::metallic, FileRole::metal_rough});
+  if (metal != nullptr && metal->codes.width == a->codes.width && metal->codes.height == a->codes.height) {
+    const auto [first, last] = metallic_channels(*metal);
+    repeat_edge(*metal, hidden, first, last);
+  }
   return {"let visible colour bleed under alpha 0"};
 }
 

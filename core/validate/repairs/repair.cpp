@@ -131,6 +131,16 @@ std::vector<RepairRegion> regions_to_repair(const RepairBench& bench, const Imag
   return RegionSearch(marks, of, bench.settings.transfer).find();
 }
 
+std::array<std::size_t, 2> metallic_channels(const RepairPicture& picture) {
+  if (picture.file.role == FileRole::metallic) return {0, picture.colour_channels()};
+  // As glTF packs them where the name does not say it.
+  const std::string_view letters =
+      picture.file.channels.empty() ? "-rm-" : std::string_view(picture.file.channels);
+  const std::size_t at = letters.find('m');
+  const auto channels = static_cast<std::size_t>(picture.codes.channels);
+  return at < channels ? std::array{at, at + 1} : std::array<std::size_t, 2>{0, 0};
+}
+
 std::string wrong_size(const RepairPicture& picture, const Image8& marks) {
   if (picture.codes.width == marks.width && picture.codes.height == marks.height) return {};
   return "the pictures of the set differ in size";

@@ -111,6 +111,9 @@ struct RepairRegion {
 ///   of   the picture of the size of the marks that tells which texels are alike
 std::vector<RepairRegion> regions_to_repair(const RepairBench& bench, const Image8& marks, const Image8& of);
 
+/// The channels of a picture that hold metallic: [first, last), empty where the set's picture holds none.
+std::array<std::size_t, 2> metallic_channels(const RepairPicture& picture);
+
 /// Why a picture of the set cannot be repaired by regions that were found on pictures of one size; empty: it
 /// can.
 std::string wrong_size(const RepairPicture& picture, const Image8& marks);

@@ -116,6 +116,57 @@ Planted diffuse_under_metal(Random& random) {
   return out;
 }
 
+// A disk of metal with a soft edge, whose diffuse should be dark by as much of metal as there is.
+Planted diffuse_under_soft_metal(Random& random) {
+  Image8 right = noisy_diffuse(random), b(set_edge, set_edge, 4);
+  const int x0 = 40 + random.below(40), y0 = 40 + random.below(40), radius = 20 + random.below(10);
+  const double soft = random.between(1, 4);
+  const auto share = [&](int x, int y) {
+    return std::clamp(0.5 + (radius - std::hypot(x - x0, y - y0)) / soft, 0.0, 1.0);
+  };
+  Planted out;
+  out.rule = "ETK108";
+  out.repaired = "crate_diff.png";
+  const std::array<double, 3> gold{0.96, 0.78, 0.34};
+  each_texel(b, [&](auto texel, int x, int y) {
+    for (std::size_t c = 0; c < 3; ++c) texel[c] = srgb_u8(0.04 + share(x, y) * (gold[c] - 0.04));
+    texel[3] = static_cast<std::uint8_t>(100 + random.below(60));
+  });
+  out.wrong = {{"crate_diff.png", right}, {"crate_spec.png", b}};
+  each_texel(right, [&](auto texel, int x, int y) {
+    for (std::size_t c = 0; c < 3; ++c) texel[c] = srgb_u8((1 - share(x, y)) * srgb_decode(texel[c] / 255.0));
+  });
+  out.right = {{"crate_diff.png", right}, {"crate_spec.png", b}};
+  return out;
+}
+
+// The same cut-out with metal on a half of it, whose hidden texels are no metal.
+Planted hidden_black_of_metal(Random& random) {
+  const int shade = 120 + random.below(80), radius = 20 + random.below(30);
+  Image8 base(set_edge, set_edge, 4), orm(set_edge, set_edge, 3);
+  const auto is_metal = [](int x) { return x < set_edge / 2; };
+  const auto is_seen = [&](int x, int y) { return std::hypot(x - set_edge / 2, y - set_edge / 2) < radius; };
+  each_texel(base, [&](auto texel, int x, int y) {
+    set_rgb(texel, is_metal(x) ? std::array{230, 220, 200} : std::array{shade, shade - 15, shade - 40});
+    texel[3] = is_seen(x, y) ? 255 : 0;
+  });
+  each_texel(orm, [&](auto texel, int x, int) {
+    set_rgb(texel, {255, 100 + random.below(60), is_metal(x) ? 255 : 0});
+  });
+  Planted out;
+  out.rule = "ETK502";
+  out.repaired = "crate_basecolor.png";
+  out.right = {{"crate_basecolor.png", base}, {"crate_orm.png", orm}};
+  for (int y = 0; y < set_edge; ++y)
+    for (int x = 0; x < set_edge; ++x)
+      if (!is_seen(x, y)) {
+        for (std::size_t c = 0; c < 3; ++c) base.at(x, y)[c] = 0;
+        orm.at(x, y)[2] = 0;
+      }
+  out.wrong = {{"crate_basecolor.png", base}, {"crate_orm.png", orm}};
+  return out;
+}
+
 // A cut-out of one colour whose hidden texels have another.
 Planted hidden_black(Random& random) {
   const int shade = 120 + random.below(80), radius = 20 + random.below(30);
@@ -197,7 +248,34 @@ void plant_and_repair(BackShare& share, const Planted& planted) {
       percentile_99(planted.right.at(planted.repaired), loaded_codes(to + "/" + planted.repaired)) <= 2;
 }
 
+// Plants a defect, repairs it, and asks that no error or warning is left.
+void leaves_nothing(const Planted& planted) {
+  const TempFolder folder;
+  const std::string from = folder.file("in"), to = folder.file("out");
+  put_pictures(from, planted.wrong);
+  const RepairedFolder repaired = repair_folder(from, to, planted.material);
+  INFO(planted.rule << "\n"
+                    << validation_text(repaired.before) << repairs_text(repaired.report, {})
+                    << validation_text(repaired.after));
+  REQUIRE(has_rule(repaired.before, planted.rule));
+  CHECK(repaired.after.errors + repaired.after.warnings == 0);
+}
+
 }  // namespace
+
+TEST_CASE("a soft edge of metal is darkened by as much metal as there is, and nothing is left to find") {
+  for (int seed = 0; seed < 8; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    leaves_nothing(diffuse_under_soft_metal(random));
+  }
+}
+
+TEST_CASE("hidden texels of a set with metal get the colour and the metal of their neighbours") {
+  for (int seed = 0; seed < 8; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    leaves_nothing(hidden_black_of_metal(random));
+  }
+}
 
 TEST_CASE("nine of ten planted defects whose inverse lies within 2 codes are back within 2 codes") {
   constexpr int seeds = 8;
