@@ -22,6 +22,11 @@ double ordinary_share(const TileEvidence& tile) {
   return static_cast<double>(tile.counts.opaque - others) / static_cast<double>(tile.counts.opaque);
 }
 
+// Whether codes are the grey 127 or 128 that scales from 0 to 1 begin with in many programs.
+bool is_middle_grey(const std::array<int, 3>& codes) {
+  return std::ranges::all_of(codes, [](int code) { return code == 127 || code == 128; });
+}
+
 struct PlateauVerdict {
   Severity severity;
   const KnownF0* softener = nullptr;  // the common material that makes a warning of it
@@ -102,11 +107,14 @@ constinit const Rule etk101_f0_forbidden_zone{
         } else if (why.cause == Explanation::Cause::doubled && !check.evidence.metal_rough) {
           finding.cause = "matches a dielectric of F0 " + number(why.original, 2) + " (" + why.material +
                           ") sRGB-encoded twice, within " + number(why.distance, 2) + " codes";
-          // Beside ordinary dielectrics it may be a patch instead of a second conversion.
-          if (ordinary_share(tile) > 0.1)
-            finding.cause = "possible cause: " + finding.cause;
-          else
-            finding.message += "; " + finding.cause;
+          // Beside ordinary dielectrics it may be a patch instead of a second conversion, and the middle of the scale
+          // may be a number that is no F0.
+          const bool middle = is_middle_grey(check.bytes(shown->specular));
+          if (middle)
+            finding.cause +=
+                "; or the middle of the scale of an input that is no F0, as Unreal's Specular (0.5 there is F0 0.04)";
+          if (middle || ordinary_share(tile) > 0.1) finding.cause = "possible cause: " + finding.cause;
+          if (middle || ordinary_share(tile) <= 0.1) finding.message += "; " + finding.cause;
         }
         if (few && worst.severity > finding.severity)
           finding.message += "; no error, because it is less than " +
