@@ -9,6 +9,7 @@
 #include "core/base/files/steady_file.h"
 #include "core/base/memory.h"
 #include "core/color/srgb.h"
+#include "core/image/files/containers.h"
 #include "core/image/picture_bytes.h"
 
 namespace etak {
@@ -30,6 +31,20 @@ Picture whole(PngReader& png) {
   png.read_rows(reinterpret_cast<std::uint8_t*>(pixels.values.data()),
                 static_cast<std::size_t>(header.width * header.channels) * sizeof(Value), header.height);
   return {header, std::move(pixels)};
+}
+
+// Level 0 of a KTX2 or DDS file that etak reads itself: OpenImageIO has no reader of KTX2, and refuses RGBA8 under the
+// newer header of DDS. Other DDS files are left to the door.
+std::optional<Picture> texture_file(std::string_view bytes, const std::string& label) {
+  const std::string format = picture_format(bytes.substr(0, 32), label);
+  const bool ktx2 = format == "ktx2";
+  if (!ktx2 && (format != "dds" || !is_rgba8_dds(bytes))) return {};
+  TextureFile file = ktx2 ? read_ktx2(bytes, label) : read_dds(bytes, label);
+  Picture out{header_of(file.levels.front()), {}};
+  out.header.format = format;
+  if (file.srgb) out.header.colour_space = "srgb";
+  out.pixels = std::move(file.levels.front());
+  return out;
 }
 
 // Writes each texel of `from`, which has `channels` values, as four values (see four_channels()), each
@@ -104,6 +119,7 @@ Picture load_picture(std::string_view bytes, const std::string& label, const Pic
         BytesInMemory file(bytes);
         if (auto png = PngReader::open(file, label))
           return png->header().bits == 8 ? whole<std::uint8_t>(*png) : whole<std::uint16_t>(*png);
+        if (auto texture = texture_file(bytes, label)) return *std::move(texture);
         Picture out = decoded(door.bytes, label, bytes, label);
         if (const auto png = png_header(file)) {
           out.header.palette = png->palette;
@@ -115,7 +131,8 @@ Picture load_picture(std::string_view bytes, const std::string& label, const Pic
 }
 
 Picture load_picture(const std::string& path, const PictureDoor& door) {
-  if (picture_format(read_head(path, 8), path) != "png")
+  const std::string format = picture_format(read_head(path, 32), path);
+  if (format != "png" && format != "dds" && format != "ktx2")
     return with_memory_for(
         path, [] { return "its pixels"; }, [&] { return decoded(door.file, path, path); });
   return load_picture(SteadyFile(path, largest_picture_bytes).all(), path, door);

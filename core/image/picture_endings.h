@@ -12,8 +12,13 @@ namespace etak {
 
 /// The endings of file names that etak takes for textures, without the dot and in lower case. The format of a
 /// file is told by its first bytes (picture_bytes.h).
-inline constexpr std::array<std::string_view, 8> picture_endings{"png", "tif",  "tiff", "exr",
-                                                                 "jpg", "jpeg", "tga",  "webp"};
+inline constexpr std::array<std::string_view, 11> picture_endings{"png", "tif",  "tiff", "exr", "jpg", "jpeg",
+                                                                  "tga", "webp", "bmp",  "dds", "ktx2"};
+
+/// Endings of pictures that etak does not read.
+inline constexpr std::array<std::string_view, 16> unread_picture_endings{
+    "psd",  "psb", "gif",   "jp2", "j2k",  "jxl", "avif", "heic",
+    "heif", "ktx", "basis", "pvr", "astc", "tx",  "kra",  "xcf"};
 
 /// Whether a file's name has one of these endings.
 inline bool has_picture_ending(std::string_view name) {

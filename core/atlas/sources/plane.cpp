@@ -11,6 +11,7 @@
 #include "core/base/files/input.h"
 #include "core/base/files/steady_file.h"
 #include "core/image/linear_tables.h"
+#include "core/image/picture_bytes.h"
 
 namespace etak {
 namespace {
@@ -46,6 +47,8 @@ PictureHeader picture_header(const std::string& path, const PictureDoor& door) {
   BytesInMemory bytes(header);
   // PngReader tells later what is wrong with a broken PNG.
   if (auto png = png_header(bytes); png && png->strips) return *png;
+  if (const std::string format = picture_format(header, path); format == "dds" || format == "ktx2")
+    return load_picture(path, door).header;
   return door.header(path);
 }
 

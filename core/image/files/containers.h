@@ -58,5 +58,7 @@ struct TextureFile {
 /// that names `path`.
 TextureFile read_ktx2(std::string_view bytes, std::string_view path);
 TextureFile read_dds(std::string_view bytes, std::string_view path);
+/// Whether the header of a DDS file names RGBA8, the form that read_dds() reads.
+bool is_rgba8_dds(std::string_view bytes);
 
 }  // namespace etak

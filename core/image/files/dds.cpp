@@ -70,6 +70,18 @@ void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_
   }
 }
 
+bool is_rgba8_dds(std::string_view bytes) {
+  if (bytes.size() < dx10_end) return false;
+  if ((number32(bytes, 80) & pixel_four_cc) != 0) {
+    const std::uint64_t format = number32(bytes, 128);
+    return bytes.substr(84, 4) == "DX10" &&
+           (format == dxgi_r8g8b8a8_unorm || format == dxgi_r8g8b8a8_unorm_srgb);
+  }
+  for (std::size_t c = 0; c < rgba_masks.size(); ++c)
+    if (number32(bytes, 92 + 4 * c) != rgba_masks[c]) return false;
+  return number32(bytes, 88) == 32;
+}
+
 TextureFile read_dds(std::string_view bytes, std::string_view path) {
   const auto expect = [&](bool good, std::string_view what, std::uint64_t value, std::string_view expected) {
     if (!good) throw Error::at(path, std::string(what) + ' ' + std::to_string(value), expected);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
+#include <unordered_set>
 #include <utility>
 
 #include "core/base/error.h"
@@ -10,6 +11,7 @@
 #include "core/validate/files/layout_targets.h"
 #include "core/validate/find/file_hints.h"
 #include "core/validate/find/finds.h"
+#include "core/validate/find/kind.h"
 
 namespace etak {
 namespace {
@@ -19,6 +21,10 @@ namespace fs = std::filesystem;
 // So many names of a list that lead to no file are reported one by one, and the others counted: a list of a
 // million wrong names is one mistake.
 constexpr std::size_t most_missing_reported = 1000;
+
+std::string without_ending(const std::string& path) {
+  return path.substr(0, path.rfind('.'));
+}
 
 class Documents {
  public:
@@ -43,6 +49,9 @@ class Documents {
         ++missing_reported;
       } else if (!failure.empty())
         finds_.fail(candidate.path, failure);
+      else if (!kind && is_unread_picture(candidate.path))
+        skip(candidate, "a picture of a format that etak does not read",
+             "Save it as PNG, TIFF, OpenEXR, JPEG, Targa, WebP, BMP, DDS or KTX2.");
       else if (!kind)
         skip(candidate,
              is_pipe_input(candidate.path) ? "holds nothing that etak validate checks"
@@ -58,7 +67,10 @@ class Documents {
                   std::to_string(missing_more) + " more of its names lead to no file");
     if (!files_.claimed.empty())
       std::erase_if(files_.pictures, [&](const FileCandidate* picture) {
-        if (!files_.claimed.contains(picture->path) && !files_.claimed.contains(level_0_of(picture->path)))
+        std::string level_0 = level_0_of(picture->path);
+        if (level_0.empty()) level_0 = picture->path;
+        if (!files_.claimed.contains(picture->path) && !files_.claimed.contains(level_0) &&
+            !pages_.contains(without_ending(level_0)))
           return false;
         if (finds_.request.list_files)
           finds_.list(finds_.label(picture->path), "", ListedAs::judged,
@@ -71,6 +83,11 @@ class Documents {
  private:
   void skip(const FileCandidate& candidate, const std::string& why, const std::string& fix = {}) {
     if (candidate.named == Named::by_hand) return finds_.fail(candidate.path, why, fix);
+    if (is_unread_picture(candidate.path)) {
+      files_.unread.push_back(&candidate);
+      ++finds_.found.skipped;
+      return finds_.list(finds_.label(candidate.path), "", ListedAs::not_judged, "its format is not read");
+    }
     add_manifest_pictures(candidate.path, files_.of_manifests);
     ++finds_.found.skipped;
     ++finds_.found.listing.others;
@@ -86,6 +103,7 @@ class Documents {
           for (const TargetFile& file : found.target.files) {
             const std::string picture = sys::path_text(fs::path(file.path).lexically_normal());
             files_.claimed.insert(picture);
+            pages_.insert(without_ending(picture));
             found.depends.push_back(picture);
           }
           finds_.found.targets.push_back(std::move(found));
@@ -111,6 +129,8 @@ class Documents {
   const Searched& searched_;
   Finds& finds_;
   FilesOfPictures files_;
+  std::unordered_set<std::string>
+      pages_;  // of layouts, without the ending: a page may have files of several formats
 };
 
 }  // namespace

@@ -48,8 +48,9 @@ Searched search(Finds& finds);
 /// The pictures among the files.
 ///   claimed        paths that a scene or a layout names, which are judged with that
 ///   of_manifests   paths that manifests of etak pack name
+///   unread         pictures of formats that etak does not read
 struct FilesOfPictures {
-  std::vector<const FileCandidate*> pictures;
+  std::vector<const FileCandidate*> pictures, unread;
   std::unordered_set<std::string> claimed, of_manifests;
 };
 FilesOfPictures take_documents(const Searched& searched, Finds& finds);

@@ -42,10 +42,21 @@ std::optional<FileRole> kind_of_content(std::string_view head) {
   return std::nullopt;
 }
 
+// The ending of a path with its dot, in lower case.
+std::string ending_of(const std::string& path) {
+  return lower_case(sys::path_text(std::filesystem::path(path).extension()));
+}
+
 }  // namespace
 
+bool is_unread_picture(const std::string& path) {
+  const std::string ending = ending_of(path);
+  return !ending.empty() &&
+         std::ranges::count(unread_picture_endings, std::string_view(ending).substr(1)) > 0;
+}
+
 std::optional<FileRole> role_of_file(const std::string& path) {
-  const std::string ending = lower_case(sys::path_text(std::filesystem::path(path).extension()));
+  const std::string ending = ending_of(path);
   const std::string_view bare = std::string_view(ending).substr(ending.empty() ? 0 : 1);
   if (bare == radiance_ending ||
       std::find(picture_endings.begin(), picture_endings.end(), bare) != picture_endings.end())

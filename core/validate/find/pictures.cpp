@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/error.h"
@@ -49,13 +50,17 @@ class Pictures {
                       for (std::size_t i = begin; i < end; ++i) find_sets(groups[i], namer);
                     });
     finds_.found.targets.reserve(finds_.found.targets.size() + groups.size());
+    const std::unordered_map<std::string, std::string> unread = unread_names();
     for (Group& group : groups) {
+      const auto names = unread.find(group.pictures.front().key);
+      const std::string beside =
+          names == unread.end() ? "" : " (" + names->second + " beside it is of a format that is not read)";
       for (auto& [found, missing] : group.sets)
         if (missing.empty())
           finds_.found.targets.push_back(std::move(found));
         else
           finds_.found.lone.push_back(
-              lone_set(found.target, missing, finds_.request.config.settings,
+              lone_set(found.target, missing + beside, finds_.request.config.settings,
                        finds_.request.list_files ? nullptr : &finds_.request.run.door));
       for (const NamedPicture& picture : group.pictures)
         if (picture.as == ListedAs::unknown) {
@@ -72,6 +77,17 @@ class Pictures {
   }
 
  private:
+  // The names of pictures whose format is not read, by the key of their set.
+  std::unordered_map<std::string, std::string> unread_names() {
+    std::unordered_map<std::string, std::string> out;
+    for (const FileCandidate* candidate : files_.unread)
+      if (const auto picture = finds_.namer.named(candidate->path)) {
+        std::string& names = out[picture->key];
+        names += (names.empty() ? "" : ", ") + candidate->path.substr(folder_of(candidate->path).size());
+      }
+    return out;
+  }
+
   // With --role each picture is checked alone, because all of them have the same role.
   NamedPicture picture_of_role(const std::string& path) const {
     NamedPicture out;

@@ -279,7 +279,7 @@ const Maker makers[] = {
     {"a packed picture in a format that is not read", "ETK002", Severity::error, 1,
      [](int n, const Surface& s, Random&) {
        return Files{{"wall_basecolor.png", png_of(s.base)},
-                    {n % 2 == 0 ? "wall_orm.dds" : "wall_orm.ktx2", "DDS \x7c"}};
+                    {n % 2 == 0 ? "wall_orm.psd" : "wall_orm.avif", "8BPS"}};
      }},
 };
 
