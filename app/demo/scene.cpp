@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "app/demo/parts.h"
@@ -85,7 +86,8 @@ void add_findings(unsigned threads, StartPageData& data) {
   const Settings settings = request.config.settings;
   const ValidationReport report = validate(std::move(request));
   data.verdict = verdict_of(report);
-  const auto pictures = page_pictures(report, settings, PictureDoor{}, report.files.size(), threads);
+  const auto pictures =
+      page_pictures(report, settings, PictureDoor{}, std::numeric_limits<std::size_t>::max(), threads);
   std::set<std::string> rules_shown;
   for (const Severity severity : {Severity::error, Severity::warning, Severity::info})
     for (std::size_t i = 0; i < report.files.size(); ++i)

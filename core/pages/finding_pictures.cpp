@@ -200,17 +200,19 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& se
 
 namespace {
 
-constexpr int thumbnail_side = 256;
+constexpr int thumbnail_side = 256, small_thumbnail_side = 96;
+constexpr std::size_t most_large = 24;  // files
+constexpr std::size_t at_once = 32;     // files
 
 // The thumbnail of a texture with the heat map and the boxes of those of `findings` that are about it.
 //   a   `picture` is texture A (diffuse); false: texture B (specular)
 ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Finding* const> findings,
                                const CheckTarget& target, const LoadedPictures& pictures,
-                               const Settings& settings) {
+                               const Settings& settings, int side) {
   ValidationPicture out;
   out.width = picture.width;
   out.height = picture.height;
-  const Image8 small = thumbnail(picture, thumbnail_side);
+  const Image8 small = thumbnail(picture, side);
   out.png = png_bytes(small, {});
   Image8 all(picture.width, picture.height, 1);
   bool any = false;
@@ -227,8 +229,22 @@ ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Fi
   return out;
 }
 
+// What a picture shows, for the text below it. The rules see sets as diffuse and specular, whatever their files hold.
+std::string caption(const CheckTarget& target, bool a) {
+  if (MetalRoughSet::is_set(target)) {
+    const auto base = std::ranges::find(target.files, FileRole::base_color, &TargetFile::role);
+    const TargetFile& from = base == target.files.end() ? target.files.front() : *base;
+    return (a ? "diffuse, from " : "specular, from ") + from.label +
+           (target.files.size() > 1 ? " and its set" : "");
+  }
+  if (target.files.size() == 1) return target.files.front().label;
+  const FileRole role = a ? FileRole::diffuse_alpha : FileRole::specular_gloss;
+  const auto part = std::ranges::find(target.files, role, &TargetFile::role);
+  return part != target.files.end() ? part->label : a ? "diffuse" : "specular";
+}
+
 void add_pictures(const CheckedFile& file, const CheckTarget& target, const Settings& settings,
-                  const PictureDoor& door, ValidationPageFile& out) {
+                  const PictureDoor& door, int side, ValidationPageFile& out) {
   PictureSource source(target, door);
   // For a scene, every material with findings is shown; other targets have a single pair of textures.
   std::map<std::string, std::vector<const Finding*>> groups;
@@ -241,15 +257,9 @@ void add_pictures(const CheckedFile& file, const CheckTarget& target, const Sett
     for (const bool a : {true, false}) {
       const Image8& picture = a ? pictures->a : pictures->b;
       if (picture.pixel_count() == 0) continue;
-      ValidationPicture shown = page_picture(picture, a, findings, target, *pictures, settings);
-      shown.label = a ? "diffuse" : "specular";
-      if (source.is_scene())
-        shown.label = findings.front()->material + ", " + shown.label;
-      else
-        for (const TargetFile& part : target.files)
-          if (target.files.size() == 1 ||
-              a == (part.role == FileRole::diffuse_alpha || part.role == FileRole::base_color))
-            shown.label = part.label;
+      ValidationPicture shown = page_picture(picture, a, findings, target, *pictures, settings, side);
+      shown.label = source.is_scene() ? findings.front()->material + (a ? ", diffuse" : ", specular")
+                                      : caption(target, a);
       out.pictures.push_back(std::move(shown));
     }
     if (pictures->b.pixel_count() == 0) continue;
@@ -260,25 +270,46 @@ void add_pictures(const CheckedFile& file, const CheckTarget& target, const Sett
   }
 }
 
-ValidationPageFile page_file(const CheckedFile& file, const Settings& settings, const PictureDoor& door) {
+ValidationPageFile page_file(const CheckedFile& file, const Settings& settings, const PictureDoor& door,
+                             int side) {
   ValidationPageFile out;
-  for (const CheckTarget* target : targets_of(file)) add_pictures(file, *target, settings, door, out);
+  for (const CheckTarget* target : targets_of(file)) add_pictures(file, *target, settings, door, side, out);
+  return out;
+}
+
+// The bytes that pictures take in the page, where base64 writes 3 bytes as 4.
+std::size_t bytes_on_page(const ValidationPageFile& file) {
+  std::size_t out = file.f0 ? 4096 : 0;  // the bars of a histogram, at most
+  for (const ValidationPicture& picture : file.pictures)
+    out += (picture.png.size() + picture.heat_png.size()) / 3 * 4;
   return out;
 }
 
 }  // namespace
 
 std::vector<ValidationPageFile> page_pictures(const ValidationReport& report, const Settings& settings,
-                                              const PictureDoor& door, std::size_t most, unsigned threads) {
+                                              const PictureDoor& door, std::size_t most_bytes,
+                                              unsigned threads) {
   std::vector<ValidationPageFile> out(report.files.size());
-  std::vector<std::size_t> wanted;
-  for (std::size_t i = 0; i < report.files.size() && wanted.size() < most; ++i)
-    if (report.files[i].target && !report.files[i].findings.empty() && !report.files[i].unreadable)
-      wanted.push_back(i);
-  parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t w = begin; w < end; ++w)
-      out[wanted[w]] = page_file(report.files[wanted[w]], settings, door);
-  });
+  std::vector<std::size_t> wanted = page_order(report);
+  std::erase_if(wanted, [&](std::size_t i) { return !report.files[i].target || report.files[i].unreadable; });
+  const int side = wanted.size() <= most_large ? thumbnail_side : small_thumbnail_side;
+  std::size_t bytes = 0;
+  for (std::size_t first = 0; first < wanted.size(); first += at_once) {
+    const std::size_t count = std::min(at_once, wanted.size() - first);
+    if (bytes <= most_bytes)
+      parallel_chunks(count, threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t w = first + begin; w < first + end; ++w)
+          out[wanted[w]] = page_file(report.files[wanted[w]], settings, door, side);
+      });
+    for (std::size_t w = first; w < first + count; ++w) {
+      ValidationPageFile& file = out[wanted[w]];
+      bytes += bytes_on_page(file);
+      if (bytes <= most_bytes) continue;
+      file = {};
+      file.left_out = true;
+    }
+  }
   return out;
 }
 

@@ -24,11 +24,13 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& se
                               const PictureDoor& door, const std::string& folder, unsigned threads);
 
 /// Thumbnails, heat maps and histograms of the files with findings, for validation_page(): an entry for each
-/// of report.files. Only the first `most` files with findings get pictures, so that browsers can open the
-/// page of a folder of thousands of files.
+/// of report.files. Files get pictures in page_order() as long as these come to no more than `most_bytes` of the page,
+/// so that a browser can open the page of a folder of thousands of files and a mail can carry it. Where many files have
+/// findings, their pictures are smaller. A file is left out from the first whose pictures have no room.
 /// A merged report has none: its files were checked elsewhere.
-inline constexpr std::size_t most_files_with_pictures = 200;
+inline constexpr std::size_t most_page_pictures = 1'400'000;
 std::vector<ValidationPageFile> page_pictures(const ValidationReport& report, const Settings& settings,
-                                              const PictureDoor& door, std::size_t most, unsigned threads);
+                                              const PictureDoor& door, std::size_t most_bytes,
+                                              unsigned threads);
 
 }  // namespace etak

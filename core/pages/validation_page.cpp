@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "core/base/bytes/base64.h"
@@ -38,8 +39,8 @@ constexpr std::string_view validation_css = R"css(
 .stack rect.dark { stroke: #000; stroke-width: 4; }
 .hist { width: 460px; max-width: 100%; height: auto; background: var(--card); }
 .hist .zone { fill: var(--warn-bg); }
-.hist .bar { fill: var(--ink); }
-.hist .bar.in { fill: var(--bad); }
+.hist .bar { stroke: var(--ink); stroke-width: 1.75; }
+.hist .bar.in { stroke: var(--bad); }
 .hist line { stroke: var(--ink-soft); }
 .hist text { font-size: 12px; fill: var(--ink-soft); }
 .finding { border-top: 1px solid var(--line); padding: 0.6rem 0; }
@@ -47,7 +48,7 @@ constexpr std::string_view validation_css = R"css(
 .finding .place { color: var(--ink-soft); font-size: 0.87rem; }
 .finding i { display: inline-block; width: 1.6rem; height: 1rem; border: 1px solid var(--line); vertical-align: -2px; }
 .taken { opacity: 0.75; }
-.clean { columns: 22rem; font-size: 0.87rem; padding-left: 1.1rem; overflow-wrap: anywhere; }
+.names { columns: 22rem; font-size: 0.87rem; padding-left: 1.1rem; overflow-wrap: anywhere; }
 article h3 { margin: 0; overflow-wrap: anywhere; }
 summary h3 { display: inline; }
 summary { cursor: pointer; }
@@ -82,15 +83,17 @@ void append_histogram(std::string& out, const std::array<std::size_t, 256>& coun
          share, " % of the texels lie in the forbidden zone\">");
   append(out, "<rect class=\"zone\" x=\"", fixed(low, 1), "\" y=\"", fixed(top, 1), "\" width=\"",
          fixed(high - low, 1), "\" height=\"", fixed(height, 1), "\"/>");
-  for (std::size_t code = 0; code < 256; ++code) {
-    if (counts[code] == 0) continue;
-    const double tall = std::max(1.0, height * std::sqrt(double(counts[code]) / double(most)));
-    const double y = decoded(static_cast<double>(code), settings.transfer);
-    const bool in = y > settings.zone.low && y < settings.zone.high;
-    append(out, "<rect class=\"bar", in ? " in" : "", "\" x=\"", fixed(left + double(code) * step, 1),
-           "\" y=\"", fixed(top + height - tall, 1), "\" width=\"", fixed(std::max(1.2, step), 1),
-           "\" height=\"", fixed(tall, 1), "\"><title>code ", std::to_string(code), ", F0 ", number(y, 3),
-           ": ", grouped(counts[code]), " texels</title></rect>");
+  // One path for the bars outside of the zone and one for those inside keeps the page small.
+  for (const bool in : {false, true}) {
+    std::string bars;
+    for (std::size_t code = 0; code < 256; ++code) {
+      const double y = decoded(static_cast<double>(code), settings.transfer);
+      if (counts[code] == 0 || (y > settings.zone.low && y < settings.zone.high) != in) continue;
+      const double tall = std::max(1.0, height * std::sqrt(double(counts[code]) / double(most)));
+      append(bars, "M", fixed(left + (double(code) + 0.5) * step, 1), ' ', fixed(top + height, 1), "v-",
+             fixed(tall, 0));
+    }
+    if (!bars.empty()) append(out, "<path class=\"bar", in ? " in" : "", "\" d=\"", bars, "\"/>");
   }
   append(out, "<line x1=\"10\" y1=\"126\" x2=\"450\" y2=\"126\"/>");
   for (const double tick : {0.0, 0.04, 0.2, 0.45, 0.7, 1.0}) {
@@ -173,8 +176,9 @@ void append_finding(std::string& out, const Finding& finding) {
 
 void append_file(std::string& out, const CheckedFile& file, const ValidationPageFile& pictures,
                  std::size_t index, const ValidationPageOptions& options) {
-  append(out, "<article class=\"file\" id=\"file-", std::to_string(index), "\"><details open><summary><h3>",
-         escape_html(file.path), "</h3> <span class=\"policy\">", grouped(file.findings.size()),
+  append(out, "<article class=\"file\" id=\"file-", std::to_string(index), "\"><details",
+         worst_of(file) > Severity::info ? " open" : "", "><summary><h3>", escape_html(file.path),
+         "</h3> <span class=\"policy\">", grouped(file.findings.size()),
          file.findings.size() == 1 ? " finding" : " findings", "</span></summary>");
   for (const std::string& companion : file.companions)
     append(out, "<p class=\"policy\">with ", escape_html(companion), "</p>");
@@ -185,16 +189,24 @@ void append_file(std::string& out, const CheckedFile& file, const ValidationPage
     if (pictures.f0) append_histogram(out, *pictures.f0, options.settings);
     out += "</div>\n";
   }
+  if (pictures.left_out)
+    out +=
+        "<p class=\"policy\">Its pictures are left out, so that the page stays small; "
+        "check the file alone to see them.</p>";
   // The worst findings come first; findings that are allowed or known come last.
   std::vector<const Finding*> sorted;
   for (const Finding& finding : file.findings) sorted.push_back(&finding);
-  const auto weight = [](const Finding* finding) {
-    return counts(*finding) ? static_cast<int>(finding->severity) : 0;
-  };
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const Finding* a, const Finding* b) { return weight(a) > weight(b); });
-  for (const Finding* finding : sorted) append_finding(out, *finding);
-  out += "</details></article>\n";
+  std::ranges::stable_sort(sorted, std::greater{}, [](const Finding* f) { return weight(*f); });
+  const auto folded =
+      std::ranges::find_if(sorted, [](const Finding* f) { return weight(*f) <= Severity::info; });
+  std::for_each(sorted.begin(), folded, [&](const Finding* finding) { append_finding(out, *finding); });
+  // What needs no work is folded beside what does. Where it is all that there is, the whole file is.
+  const std::size_t rest = static_cast<std::size_t>(sorted.end() - folded);
+  const bool fold = folded != sorted.begin() && rest > 0;
+  if (fold)
+    append(out, "<details><summary class=\"policy\">", grouped(rest), " more, for information</summary>\n");
+  std::for_each(folded, sorted.end(), [&](const Finding* finding) { append_finding(out, *finding); });
+  out += fold ? "</details></details></article>\n" : "</details></article>\n";
 }
 
 // ---- the page's frame
@@ -300,9 +312,10 @@ std::string validation_page(const ValidationReport& report, std::span<const Vali
   if (report.merged) out += "<p class=\"policy\">Merged from shards, therefore without pictures.</p>\n";
   append_navigation(out, report);
   out += "</header>\n<main>\n";
-  std::vector<std::size_t> with_findings, clean;
+  const std::vector<std::size_t> with_findings = page_order(report);
+  std::vector<std::size_t> without;
   for (std::size_t i = 0; i < report.files.size(); ++i)
-    (report.files[i].findings.empty() ? clean : with_findings).push_back(i);
+    if (report.files[i].findings.empty()) without.push_back(i);
   if (!with_findings.empty()) {
     out += "<section id=\"findings\"><h2>Findings</h2>\n";
     append_filters(out, report, with_findings);
@@ -310,10 +323,11 @@ std::string validation_page(const ValidationReport& report, std::span<const Vali
     out += "</section>\n";
   }
   append_rules(out, report);
-  if (!clean.empty()) {
-    append(out, "<section id=\"clean\"><h2>Without findings</h2>\n<details><summary>", grouped(clean.size()),
-           clean.size() == 1 ? " file or set" : " files and sets", "</summary><ul class=\"clean\">\n");
-    for (const std::size_t i : clean) append(out, "<li>", escape_html(report.files[i].path), "</li>\n");
+  if (!without.empty()) {
+    append(out, "<section id=\"without\"><h2>Without findings</h2>\n<details><summary>",
+           grouped(without.size()), without.size() == 1 ? " file or set" : " files and sets",
+           "</summary><ul class=\"names\">\n");
+    for (const std::size_t i : without) append(out, "<li>", escape_html(report.files[i].path), "</li>\n");
     out += "</ul></details></section>\n";
   }
   return out + "</main>\n</body></html>\n";

@@ -27,9 +27,11 @@ struct ValidationPicture {
 };
 
 /// The pictures of one checked file for the page.
+///   left_out   there are some, and the page has no room for them
 struct ValidationPageFile {
   std::vector<ValidationPicture> pictures;
   std::optional<std::array<std::size_t, 256>> f0;  // f0_histogram()
+  bool left_out = false;
 };
 
 /// What the page says beside the report.

@@ -47,8 +47,8 @@ std::string form_of(const ValidationReport& report, const ValidateArguments& arg
     return validation_text(report, text);
   }
   if (auto out = validation_form(format, report, {settings.fail_on, ETAK_VERSION})) return *std::move(out);
-  const auto pictures = page_pictures(report, settings, picture_door(), most_files_with_pictures,
-                                      thread_count(arguments.threads));
+  const auto pictures =
+      page_pictures(report, settings, picture_door(), most_page_pictures, thread_count(arguments.threads));
   return validation_page(report, pictures, {ETAK_VERSION, settings});
 }
 

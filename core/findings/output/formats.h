@@ -30,11 +30,25 @@ inline bool counts(const Finding& finding) {
 
 /// Numbers of files and findings for the verdict.
 struct ReportCounts {
-  std::size_t files = 0, clean = 0;  // clean: no finding that counts, and readable
+  std::size_t files = 0;
+  std::size_t found_in = 0;  // files that have findings that count, or are not readable
+  std::size_t clean = 0;     // files that are readable and have no error or warning that counts
   std::size_t unreadable = 0;
   std::size_t suppressed = 0, known = 0;
 };
 ReportCounts count_files(const ValidationReport& report);
+
+/// How much a finding weighs: its severity, or nothing where it is allowed or known.
+inline Severity weight(const Finding& finding) {
+  return counts(finding) ? finding.severity : Severity::off;
+}
+
+/// Indices of the files with findings as a page shows them: those with the worst findings first, otherwise as
+/// in the report. Findings that are allowed or known come last.
+std::vector<std::size_t> page_order(const ValidationReport& report);
+
+/// The severity of the worst finding of a file that counts; off: there is none.
+Severity worst_of(const CheckedFile& file);
 
 /// Where a finding lies: `crate_spec.png:tile "hinge" [812,64 96x40]`, `wood.json#/datasets/0/n`.
 std::string place_of(const Finding& finding);

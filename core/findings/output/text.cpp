@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 #include <tuple>
@@ -64,6 +65,20 @@ std::string sentence_of(const Finding& finding) {
   return out;
 }
 
+Severity worst_of(const CheckedFile& file) {
+  Severity worst = Severity::off;
+  for (const Finding& finding : file.findings) worst = std::max(worst, weight(finding));
+  return worst;
+}
+
+std::vector<std::size_t> page_order(const ValidationReport& report) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < report.files.size(); ++i)
+    if (!report.files[i].findings.empty()) out.push_back(i);
+  std::ranges::stable_sort(out, std::greater{}, [&](std::size_t i) { return worst_of(report.files[i]); });
+  return out;
+}
+
 ReportCounts count_files(const ValidationReport& report) {
   ReportCounts out;
   for (const CheckedFile& file : report.files) {
@@ -74,16 +89,17 @@ ReportCounts count_files(const ValidationReport& report) {
     const std::size_t members = is_config ? 0 : own + file.companions.size();
     out.files += members;
     if (file.unreadable) ++out.unreadable;
-    bool clean = !file.unreadable;
+    Severity worst = file.unreadable ? Severity::error : Severity::off;
     for (const Finding& finding : file.findings) {
       if (finding.suppressed)
         ++out.suppressed;
       else if (finding.baseline)
         ++out.known;
       else
-        clean = false;
+        worst = std::max(worst, finding.severity);
     }
-    if (clean) out.clean += members;
+    if (worst > Severity::off) out.found_in += members;
+    if (worst <= Severity::info) out.clean += members;
   }
   return out;
 }
@@ -107,8 +123,7 @@ std::string verdict_of(const ValidationReport& report) {
   if (found.empty())
     out += counted(files.files, "file") + ", 0 findings";
   else
-    out +=
-        found + " in " + counted(files.files - files.clean, "file") + " (" + grouped(files.clean) + " clean)";
+    out += found + " in " + counted(files.found_in, "file") + " (" + grouped(files.clean) + " clean)";
   if (files.suppressed > 0) out += ", " + grouped(files.suppressed) + " allowed";
   if (files.known > 0) out += ", " + grouped(files.known) + " known from the baseline";
   if (!report.unknown.empty()) out += ", " + counted(report.unknown.size(), "picture") + " not recognised";

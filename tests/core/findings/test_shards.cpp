@@ -128,7 +128,7 @@ TEST_CASE("the merge of any number of shards is the run of all, in every form") 
       std::ranges::reverse(shards);
       const ValidationReport merged = merged_report(shards, false);
       for (const ValidationPageFile& each :
-           page_pictures(merged, request.config.settings, {}, most_files_with_pictures, 1))
+           page_pictures(merged, request.config.settings, {}, most_page_pictures, 1))
         CHECK(each.pictures.empty());
       CHECK(merged.passed == whole.passed);
       CHECK(merged.incomplete == whole.incomplete);
