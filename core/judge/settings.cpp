@@ -105,6 +105,7 @@ std::string settings_hash(const Settings& settings) {
   add(name(settings.transfer));
   add(settings.transfer_stated ? "stated" : "");
   add(settings.alpha_is_transparency ? "transparency" : "mask");
+  add(name(settings.green));
   for (const double value : {zone.low, zone.high, zone.min_area_share}) add(number(value, 17));
   for (const int value : {static_cast<int>(zone.metric), zone.erode, zone.min_area_px})
     add(std::to_string(value));

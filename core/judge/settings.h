@@ -30,6 +30,11 @@ enum class TextureTransfer { srgb, power_22, linear };
 std::string_view name(TextureTransfer transfer);  // "srgb", "power-2.2", "linear"
 std::optional<TextureTransfer> texture_transfer_named(std::string_view text);
 
+/// The direction in the picture in which the green channel of a normal map points: up (OpenGL) or down (DirectX).
+enum class GreenAxis { unsaid, opengl, directx };
+std::string_view name(GreenAxis green);                       // "opengl", "directx"; empty: unsaid
+std::optional<GreenAxis> green_named(std::string_view text);  // of "opengl" and "directx"
+
 /// The configuration of one rule. Where it gives no value, that of the profile holds.
 struct RuleSetting {
   std::optional<Severity> severity;
@@ -71,8 +76,9 @@ class KnownMaterials;
 struct Settings {
   Profile profile = Profile::standard;
   TextureTransfer transfer = TextureTransfer::srgb;
-  bool transfer_stated = false;        // by the user: ETK403 is then silent
-  bool alpha_is_transparency = false;  // 0 < alpha < 255 does not count as opaque
+  bool transfer_stated = false;         // by the user: ETK403 is then silent
+  bool alpha_is_transparency = false;   // 0 < alpha < 255 does not count as opaque
+  GreenAxis green = GreenAxis::unsaid;  // of normal maps whose names do not say it
   Severity fail_on = Severity::error;
   std::map<std::string, RuleSetting, std::less<>> rules;  // by whole id: prefixes are resolved by the reader
   ZoneSettings zone;

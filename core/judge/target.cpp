@@ -77,6 +77,12 @@ std::string_view name(GreenAxis green) {
   return "";
 }
 
+std::optional<GreenAxis> green_named(std::string_view text) {
+  for (const GreenAxis green : {GreenAxis::opengl, GreenAxis::directx})
+    if (text == name(green)) return green;
+  return std::nullopt;
+}
+
 std::string CheckTarget::own_label() const {
   return !label.empty() ? label : files.empty() ? "" : files.front().label;
 }

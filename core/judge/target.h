@@ -74,10 +74,6 @@ bool is_map(FileRole role);
 /// False for layouts, scenes, materials and spectra.
 bool is_picture(FileRole role);
 
-/// The direction in the picture in which the green channel of a normal map points: up (OpenGL) or down (DirectX).
-enum class GreenAxis { unsaid, opengl, directx };
-std::string_view name(GreenAxis green);  // "opengl", "directx"; empty: unsaid
-
 /// A file of a target.
 struct TargetFile {
   FileRole role = FileRole::specular_gloss;

@@ -130,6 +130,13 @@ void read_alpha(const Node& node, ValidateConfig& config) {
   config.settings.alpha_is_transparency = text == "transparency";
 }
 
+void read_green(const Node& node, ValidateConfig& config) {
+  constexpr std::string_view expected = "opengl (green points up) or directx (down)";
+  const auto green = green_named(node.text(expected));
+  if (!green) node.fail_value(expected);
+  config.settings.green = *green;
+}
+
 // Calls `add` with the pattern that a node is, or with each of a list.
 void each_pattern(const Node& patterns, std::string_view example, auto add) {
   const std::string expected = "a pattern such as \"" + std::string(example) + '"';
@@ -378,7 +385,7 @@ void read_allow(const Node& node, ValidateConfig& config) {
 constexpr Key top_keys[] = {{"profile", read_profile}, {"transfer", read_transfer}, {"fail_on", read_fail_on},
                             {"alpha", read_alpha},     {"roles", read_roles},       {"rules", read_rules},
                             {"zone", read_zone},       {"allow", read_allow},       {"names", read_names},
-                            {"sets", read_sets}};
+                            {"sets", read_sets},       {"green", read_green}};
 
 toml::table document_of(std::string_view text, std::string_view file) {
   try {

@@ -161,6 +161,13 @@ struct PictureEvidence {
   std::optional<DataCodes> data = {};
 };
 
+/// The pictures that the materials of a scene read, each once.
+///   gpu_bytes   with all mips and without block compression (texture_bytes.h)
+struct SceneFacts {
+  std::size_t textures = 0;
+  std::uint64_t gpu_bytes = 0;
+};
+
 /// Everything that the rules judge of one target.
 struct Evidence {
   std::optional<PictureEvidence> a, b;  // a metal-rough set: base colour and metal-rough
@@ -169,6 +176,7 @@ struct Evidence {
   std::vector<PictureEvidence> headers;  // every picture file of the target, for the rules on headers
   std::vector<MapEvidence> maps;
   std::optional<MaterialEvidence> material;
+  std::optional<SceneFacts> scene;      // where a limit asks for it
   std::vector<std::string> unreadable;  // "LABEL: message"
 };
 

@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "core/image/load.h"
 #include "core/judge/maps/map_survey.h"
-#include "core/validate/files/load.h"
 #include "core/names/names.h"
+#include "core/validate/files/load.h"
 
 namespace etak {
 namespace {

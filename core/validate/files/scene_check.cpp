@@ -6,7 +6,10 @@
 #include <iterator>
 #include <utility>
 
+#include "core/image/texture_bytes.h"
 #include "core/judge/engine.h"
+#include "core/judge/rules.h"
+#include "core/scene/image_roles.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/files/tiles.h"
@@ -48,6 +51,30 @@ UvBox in_uv(const PixelBox& box, int width, int height) {
 }
 
 }  // namespace
+
+namespace {
+
+bool has_scene_budget(const Settings& settings) {
+  const Rule& rule = *find_rule("ETK015");
+  return severity_of(rule, settings) != Severity::off &&
+         std::ranges::any_of(rule.parameters, [&](const RuleParameter& parameter) {
+           return parameter_of(rule, parameter.name, settings) > 0;
+         });
+}
+
+}  // namespace
+
+SceneFacts SceneCheck::facts_of_scene() {
+  const GltfScene& scene = uses_.scene();
+  const std::vector<int> first = first_of_same_images(scene);
+  SceneFacts out;
+  for (std::size_t i = 0; i < scene.images.size(); ++i) {
+    if (!scene.image_used[i] || first[i] != static_cast<int>(i)) continue;
+    ++out.textures;
+    out.gpu_bytes += texture_bytes(pictures_.header(first[i]), true);
+  }
+  return out;
+}
 
 SceneCheck::SceneCheck(const MaterialUses& uses, const TargetFile& of_scene, const PictureDoor& door)
     : uses_(uses), of_scene_(of_scene), door_(door), pictures_(uses.scene().images, door) {
@@ -141,6 +168,7 @@ void SceneCheck::judge_headers(const Manifest& manifest, const Settings& setting
   }
   file.stats.pictures_decoded += headers.maps.size();
   file.stats.pictures_left_out -= std::min(file.stats.pictures_left_out, headers.maps.size());
+  if (has_scene_budget(settings)) headers.scene = facts_of_scene();
   etak::judge(textures, headers, settings, file);
 }
 

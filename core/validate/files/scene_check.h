@@ -59,6 +59,7 @@ class SceneCheck {
 
  private:
   const GltfMaterial& lead(const SceneLook& look) const;
+  SceneFacts facts_of_scene();
 
   const MaterialUses& uses_;
   const TargetFile& of_scene_;
