@@ -27,10 +27,6 @@ struct ImageRole {
 /// Throws Error for broken JSON and for names that read_gltf() refuses.
 std::vector<ImageRole> image_roles(std::string_view json, const std::string& path);
 
-/// For each image of a scene the first one that is read and has the same bytes, which may be itself. Throws
-/// Error for a picture file that cannot be read.
-std::vector<int> first_of_same_images(const GltfScene& scene);
-
 /// Which images of a scene some material that is reached still reads once `output` has put an atlas in place of
 /// its textures; of images of the same bytes the one that stands for them.
 std::vector<bool> images_kept(const GltfScene& scene, const GltfOutput& output);

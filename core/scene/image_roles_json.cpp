@@ -11,8 +11,6 @@
 #include <string>
 #include <utility>
 
-#include "core/base/files/file.h"
-#include "core/base/hash/content_hash.h"
 #include "core/scene/gltf_json.h"
 #include "core/scene/uri.h"
 
@@ -83,33 +81,6 @@ std::vector<ImageRole> image_roles(std::string_view json, const std::string& pat
     out[i].material = std::any_of(keys[i].begin(), keys[i].end(), [](const auto& key) {
       return key.first < kinds.size() && kinds[key.first].material;
     });
-  }
-  return out;
-}
-
-std::vector<int> first_of_same_images(const GltfScene& scene) {
-  // 0 for what is not there: who reads it tells so.
-  const auto size_of = [](const PictureFile& image) -> std::uintmax_t {
-    std::error_code failure;
-    if (image.path.empty()) return image.bytes.size();
-    const std::uintmax_t size = std::filesystem::file_size(image.path, failure);
-    return failure ? 0 : size;
-  };
-  std::map<std::uintmax_t, std::vector<std::size_t>> by_size;
-  std::vector<int> out(scene.images.size());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i] = static_cast<int>(i);
-    if (scene.image_used[i]) by_size[size_of(scene.images[i])].push_back(i);
-  }
-  for (const auto& [size, images] : by_size) {
-    if (size == 0 || images.size() < 2) continue;
-    std::map<std::string, std::size_t> known;
-    for (const std::size_t i : images) {
-      const PictureFile& image = scene.images[i];
-      ContentHash hash;
-      hash.add(image.path.empty() ? image.bytes : read_file(image.path, largest_picture_bytes));
-      out[i] = static_cast<int>(known.try_emplace(hash.hex(), i).first->second);
-    }
   }
   return out;
 }

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <utility>
 
+#include "core/image/same_pictures.h"
 #include "core/image/texture_bytes.h"
 #include "core/judge/engine.h"
 #include "core/judge/rules.h"
-#include "core/scene/image_roles.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/files/tiles.h"
@@ -66,7 +66,7 @@ bool has_scene_budget(const Settings& settings) {
 
 SceneFacts SceneCheck::facts_of_scene() {
   const GltfScene& scene = uses_.scene();
-  const std::vector<int> first = first_of_same_images(scene);
+  const std::vector<int> first = first_of_same_pictures(scene.images, scene.image_used);
   SceneFacts out;
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
     if (!scene.image_used[i] || first[i] != static_cast<int>(i)) continue;

@@ -19,6 +19,7 @@
 #include "core/base/setting.h"
 #include "core/image/files/png_keep.h"
 #include "core/image/load.h"
+#include "core/image/same_pictures.h"
 #include "core/image/texture_bytes.h"
 #include "core/scene/conversion_cost.h"
 #include "core/scene/gltf_convert.h"
@@ -359,7 +360,7 @@ std::unique_ptr<const SceneRead> read_scene(const std::string& path, const PackO
       SceneRead{options, options.input.pictures.gloss.value_or(GlossForm::one_minus_roughness),
                 read_gltf(path, options.input.gltf)});
   SceneRead& read = *out;
-  read.stands_for = first_of_same_images(read.scene);
+  read.stands_for = first_of_same_pictures(read.scene.images, read.scene.image_used);
   read.uses.emplace(read.scene);
   read.inputs.gloss = read.gloss;
   check_gloss(read.gloss, options.output.forms);
