@@ -48,7 +48,7 @@ constexpr PackSettingRow setting_rows[] = {
      "of a scene: so many texels per unit of its world are enough"},
     {less, "view-height", &S::view_height, 1, 1000000, "PIXELS", 0,
      "of a scene with cameras: height of their pictures in pixels; resolution and mips that none of them can show are left out"},
-    {content, "pattern", &S::pattern, 0, 0, "", shown,
+    {content, "pattern", &S::pattern, 0, 0, "", 0,
      "of the files in a folder, as {name}_{role}.png; default: names as validate reads them"},
     {content, "gloss-channel", &S::gloss, 0, 0, "", 0,
      "what the gloss channel is to hold: schueler, one_minus_roughness or roughness; default as the input",
