@@ -163,7 +163,7 @@ class Packing(Work):
         for words, call in {
                 ("none.json", "-o", "out"): lambda: etak.pack("none.json", "out"),
                 ("materials.json", "-o", "taken"): lambda: etak.pack("materials.json", "taken"),
-                ("materials.json", "-o", "no/such/out"): lambda: etak.pack("materials.json", "no/such/out")}.items():
+                ("materials.json", "-o", "materials.json/out"): lambda: etak.pack("materials.json", "materials.json/out")}.items():
             with self.subTest(words), self.assertRaises(etak.Error) as caught:
                 call()
             self.assertEqual(str(caught.exception), told("pack", *words))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -142,18 +143,24 @@ AtlasManifest manifest_of_names(const std::string& folder, const PictureDoor& do
   std::set<std::string> names;
   std::vector<std::string> missing;
   bool has_gloss = false;
-  for (auto& [key, same] : groups)
+  for (auto& [key, same] : groups) {
+    std::map<std::array<std::string, 3>, std::string>
+        newest;  // versions, by all else that tells colours apart
     for (const PictureSet& set : sets_of(same)) {
-      if (is_map(set.members.front()->name.role)) continue;
       const NamedPicture& first = *set.members.front();
+      if (is_map(first.name.role)) continue;
+      const ParsedName& name = first.name;
+      if (newest.try_emplace({name.resolution, name.format, name.number}, name.version).first->second !=
+          name.version)
+        continue;
       ManifestMaterial material;
       const std::string what = NamedMaterial(set, same, door).make(material, has_gloss);
       if (!what.empty()) {
         missing.push_back(first.path + ": " + what + ": left out");
         continue;
       }
-      material.name = first.name.set.empty() ? stem_of(first.path) : first.name.set;
-      if (!first.name.tile.empty()) material.name += '.' + first.name.tile;
+      material.name = name.set.empty() ? stem_of(first.path) : name.set;
+      if (!name.tile.empty()) material.name += '.' + name.tile;
       // Colour variants and sizes of one set share its name.
       if (names.contains(material.name)) material.name = stem_of(first.path);
       for (int copy = 2; !names.insert(material.name).second; ++copy)
@@ -161,6 +168,7 @@ AtlasManifest manifest_of_names(const std::string& folder, const PictureDoor& do
       material.place = first.path;
       out.materials.push_back(std::move(material));
     }
+  }
   if (out.materials.empty())
     throw Error::at(
         folder, missing.empty() ? "no picture's name tells a set with its roles" : missing.front(),
