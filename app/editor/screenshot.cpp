@@ -25,6 +25,7 @@
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector.h"
+#include "app/editor/panels/layers_section.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/pack_dialog.h"
 #include "app/editor/panels/texture_section.h"
@@ -179,6 +180,11 @@ void show_state(Window& window, const QString& state) {
        [&] {
          for (QAbstractButton* chip : window.library_panel().findChildren<QAbstractButton*>())
            if (chip->text() == "gem") chip->click();
+       }},
+      {"layers",
+       [&] {
+         window.use_library_material("anodised_titanium_50nm");
+         window.inspector().ensureWidgetVisible(window.inspector().findChild<LayersSection*>());
        }},
       {"preview", [&] { emit window.library_panel().looked_at("copper"); }},
       {"findings", [&] { show_findings(window); }},

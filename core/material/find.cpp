@@ -28,12 +28,6 @@ void fail_unknown_name(const MaterialLibrary& library, std::string_view text, co
 }
 
 std::optional<NamedMaterial> find_material(const MaterialLibrary& library, std::string_view text) {
-  if (is_stack_text(text)) {
-    const auto part = [&](std::string_view name, const std::string& place) {
-      return library_part(library, name, place);
-    };
-    return NamedMaterial{{stack_material(text, part), NameKind::id, {}}, std::string(text), {}};
-  }
   if (auto answer = library.answer(text)) return NamedMaterial{std::move(*answer), std::string(text), {}};
   const std::size_t slash = text.find('/');
   if (slash == text.npos) return std::nullopt;

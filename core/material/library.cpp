@@ -18,9 +18,14 @@
 #include "core/material/names.h"
 #include "core/material/qualifiers.h"
 #include "core/material/stack.h"
+#include "core/material/stack_text.h"
 
 namespace etak {
 namespace {
+
+FindStackPart part_of(const MaterialLibrary& library) {
+  return [&](std::string_view name, const std::string& place) { return library_part(library, name, place); };
+}
 
 namespace fs = std::filesystem;
 
@@ -131,6 +136,7 @@ std::optional<FoundName> MaterialLibrary::look_up(std::string_view name) const {
 }
 
 std::optional<Material> MaterialLibrary::find(std::string_view name) const {
+  if (is_stack_text(name)) return stack_material(name, part_of(*this));
   const auto found = look_up(name);
   if (!found) return std::nullopt;
   Material out = at(found->index);
@@ -171,6 +177,7 @@ MaterialLibrary::Base MaterialLibrary::base_of(std::string_view name) const {
 }
 
 std::optional<LibraryAnswer> MaterialLibrary::answer(std::string_view name) const {
+  if (is_stack_text(name)) return LibraryAnswer{*find(name), NameKind::id, {}};
   if (const auto found = look_up(name)) {
     LibraryAnswer out{at(found->index), found->kind, {}};
     out.note = alias_note(out.material.alias_notes, name);
@@ -183,9 +190,7 @@ std::optional<LibraryAnswer> MaterialLibrary::answer(std::string_view name) cons
 
 Material MaterialLibrary::at(std::size_t index) const {
   Material out = as_filed(index);
-  open_stacks(out, out.id, [&](std::string_view name, const std::string& place) {
-    return library_part(*this, name, place);
-  });
+  open_stacks(out, out.id, part_of(*this));
   return out;
 }
 

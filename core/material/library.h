@@ -59,6 +59,8 @@ class MaterialLibrary {
   /// By id, then name, then alias, for which case, spaces, '-' and '_' do not matter, then by an alias that
   /// is a chemical formula (is_formula()), in its own case. "ID/DATASET" is the caller's business.
   std::optional<FoundName> look_up(std::string_view name) const;
+  /// The material of that name. A text of layers ("water:2mm/copper") is a material of its own; throws Error where one
+  /// of them is not known.
   std::optional<Material> find(std::string_view name) const;
 
   /// find(), and where no material has the name the one that is left when the words around it are set aside

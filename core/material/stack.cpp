@@ -166,12 +166,8 @@ Stack with_thickness(Stack stack, std::size_t layer, double thickness_nm) {
   StackLayer& changed = stack.layers[layer - 1];
   changed.thickness_nm = thickness_nm;
   StackText text = parse_stack(stack.text, printable(stack.text, 80));
-  text.layers[layer - 1].rest = ":" + number(thickness_nm, 9) + "nm";
-  if (changed.coherent != (thickness_nm < incoherent_from_nm))
-    text.layers[layer - 1].rest += changed.coherent ? ":coherent" : ":incoherent";
-  stack.text.clear();
-  for (const StackText::Layer& each : text.layers) append(stack.text, each.name, each.rest, '/');
-  stack.text += text.base;
+  set_thickness(text.layers[layer - 1], thickness_nm);
+  stack.text = format_stack(text);
   return stack;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {
@@ -90,6 +91,18 @@ bool is_stack_text(std::string_view text) {
     from = to + 1;
   }
   return false;
+}
+
+std::string format_stack(const StackText& stack) {
+  std::string out;
+  for (const StackText::Layer& each : stack.layers) append(out, each.name, each.rest, '/');
+  return out + stack.base;
+}
+
+void set_thickness(StackText::Layer& layer, double nm) {
+  layer.thickness_nm = nm;
+  layer.rest = ":" + number(nm, 9) + "nm";
+  if (layer.coherent != (nm < incoherent_from_nm)) layer.rest += layer.coherent ? ":coherent" : ":incoherent";
 }
 
 std::string layer_place(std::string_view place, std::size_t index) {

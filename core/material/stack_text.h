@@ -44,6 +44,13 @@ bool is_stack_text(std::string_view text);
 /// Throws Error (naming `place` and the layer) for a text of another form.
 StackText parse_stack(std::string_view text, std::string_view place);
 
+/// The text that parse_stack() reads.
+std::string format_stack(const StackText& stack);
+
+/// Gives a layer a thickness, in its text too; it stays coherent or incoherent.
+///   nm   finite, 0 and above
+void set_thickness(StackText::Layer& layer, double nm);
+
 /// "PLACE layer 2", for messages.
 std::string layer_place(std::string_view place, std::size_t index);
 

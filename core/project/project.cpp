@@ -11,6 +11,7 @@
 #include "core/material/find.h"
 #include "core/material/limits.h"
 #include "core/material/quality.h"
+#include "core/material/stack_text.h"
 
 namespace etak {
 namespace {
@@ -70,8 +71,15 @@ Project single(const Project& project, const ProjectMaterial& material) {
   out.view.compare = {};
   if (!material.measured) return out;
   const std::string& outside = material.measured->outside;
+  std::vector<std::string> used{material.measured->material, outside};
+  if (is_stack_text(used[0])) {
+    const StackText stack = parse_stack(used[0], material.name);
+    used.push_back(stack.base);
+    for (const StackText::Layer& layer : stack.layers) used.push_back(layer.name);
+  }
   for (const Material& each : project.spectra)
-    if (each.id == material.measured->material || each.id == outside.substr(0, outside.find('/')))
+    if (std::ranges::any_of(
+            used, [&](const std::string& name) { return each.id == name.substr(0, name.find('/')); }))
       out.spectra.push_back(each);
   return out;
 }

@@ -294,6 +294,14 @@ void Document::set_spectra(std::vector<Material> spectra) {
   emit spectra_changed();
 }
 
+std::optional<Material> record_named(const MaterialLibrary& library, const std::string& name) {
+  try {
+    return library.find(name);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
 ProjectMaterial with_measured(ProjectMaterial material, const MaterialLibrary& library) {
   if (material.measured) take_measured(material, find_f0(*material.measured, library));
   return material;

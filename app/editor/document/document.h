@@ -106,6 +106,9 @@ class Document : public QObject {
   mutable const MaterialLibrary* solved_by_ = nullptr;
 };
 
+/// The record of that name; none where the library has none, and where a layer of a text of layers is not known.
+std::optional<Material> record_named(const MaterialLibrary& library, const std::string& name);
+
 /// A material with the colours of its measured record, where `measured` names one. Throws Error.
 ProjectMaterial with_measured(ProjectMaterial material, const MaterialLibrary& library);
 

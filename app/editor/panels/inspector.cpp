@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/editor/document/files.h"
+#include "app/editor/panels/layers_section.h"
 #include "app/editor/panels/model_section.h"
 #include "app/editor/panels/source_section.h"
 #include "app/editor/panels/texture_section.h"
@@ -22,7 +23,7 @@ namespace {
 // Whether the record measures the diffuse colour. Records of class "surface" do, all others measure F0.
 bool measures_diffuse(const std::optional<MeasuredF0>& measured, const MaterialLibrary& library) {
   if (!measured) return false;
-  const auto found = library.find(measured->material);
+  const auto found = record_named(library, measured->material);
   return found && !gives_f0(found->material_class);
 }
 
@@ -47,6 +48,7 @@ Inspector::Inspector(Document& document, QWidget* parent)
           new QLabel(tr("No material. Add one from the library, or make a new one (Ctrl+Shift+N)."), this)),
       name_(new QLineEdit(this)),
       source_(new SourceSection(document, this)),
+      layers_(new LayersSection(document, this)),
       model_(new ModelSection(document, this)),
       textures_(new TextureSection(document, this)) {
   empty_->setWordWrap(true);
@@ -57,6 +59,7 @@ Inspector::Inspector(Document& document, QWidget* parent)
   make_numbers();
   // Its texts have another height for each material: what is edited most stands above them.
   column().addWidget(source_);
+  column().addWidget(layers_);
   make_rest();
   mark_textured(*numbers_, *specular_, Channel::specular);
   mark_textured(*numbers_, *diffuse_, Channel::diffuse);
@@ -86,6 +89,7 @@ Inspector::Inspector(Document& document, QWidget* parent)
     show_material();
   });
   connect(source_, &SourceSection::told, this, &Inspector::told);
+  connect(layers_, &LayersSection::told, this, &Inspector::told);
   show_material();
 }
 
@@ -195,7 +199,7 @@ void Inspector::edit(const QString& what, int press, const std::function<void(Pr
 Gloss Inspector::standard_gloss() const {
   const ProjectMaterial* m = document_.material();
   const std::optional<MeasuredF0> measured = m->measured ? m->measured : document_.let_go(m->name);
-  const auto record = measured ? document_.library()->find(measured->material) : std::nullopt;
+  const auto record = measured ? record_named(*document_.library(), measured->material) : std::nullopt;
   return record ? material_of(*record).gloss : ProjectMaterial{}.gloss;
 }
 
@@ -237,6 +241,7 @@ void Inspector::show_material() {
     each->setEnabled(!preview_);
   }
   source_->show_material(m, !preview_);
+  layers_->show_material(m, !preview_);
   model_->show_material(m);
   textures_->show_material(m);
   if (m == nullptr) return;

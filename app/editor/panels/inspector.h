@@ -12,6 +12,7 @@ class QLineEdit;
 namespace etak::editor {
 
 class ModelSection;
+class LayersSection;
 class SourceSection;
 class TextureSection;
 
@@ -55,6 +56,7 @@ class Inspector : public PanelScroll {
   QLabel* empty_;
   QLineEdit* name_;
   SourceSection* source_;
+  LayersSection* layers_;
   ColorField *specular_ = nullptr, *diffuse_ = nullptr;
   NumberField *gloss_ = nullptr, *roughness_ = nullptr, *alpha_ = nullptr;
   Section *numbers_ = nullptr, *rest_ = nullptr;

@@ -136,7 +136,7 @@ void SourceSection::fill_datasets(const std::string& material) {
   if (material == datasets_of_) return;
   datasets_of_ = material;
   dataset_->clear();
-  const auto found = material.empty() ? std::nullopt : document_.library()->find(material);
+  const auto found = material.empty() ? std::nullopt : record_named(*document_.library(), material);
   if (!found) return;
   dataset_->addItem(tr("preferred: %1").arg(qt_text(found->preferred_dataset().id)), QString());
   for (const Dataset& each : found->datasets) {
@@ -152,6 +152,9 @@ void SourceSection::show_material(const ProjectMaterial* m, bool editable) {
   const bool on = m != nullptr && m->measured.has_value();
   material_->setCurrentIndex(std::max(0, material_->findText(qt_text(measured.material))));
   material_->lineEdit()->setText(qt_text(measured.material));
+  // A text of layers may be longer than the field.
+  material_->lineEdit()->setToolTip(measured.material.empty() ? material_->toolTip()
+                                                              : qt_text(measured.material));
   fill_datasets(measured.material);
   dataset_->setCurrentIndex(std::max(0, dataset_->findData(qt_text(measured.dataset))));
   outside_->setCurrentText(qt_text(measured.outside));
