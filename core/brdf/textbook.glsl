@@ -28,6 +28,13 @@ real naive_from_f0(real f0_value, real c) {
 }
 
 // 5th power of 1 - c without a clamp.
+// F0 under a coat of index n, the medium taken as a dielectric.
+real naive_under(real f0_value, real n) {
+  real root = sqrt(f0_value);
+  real index = (1 + root) / (1 - root);
+  return (index - n) / (index + n) * ((index - n) / (index + n));
+}
+
 real naive_schlick(real f0_value, real c) {
   real m = 1 - c;
   return f0_value + (1 - f0_value) * (m * m * m * m * m);

@@ -19,6 +19,13 @@ vec3 f_f82(vec3 f0, vec3 f82, real c) {
   return vec3(f_f82(f0.x, f82.x, c), f_f82(f0.y, f82.y, c), f_f82(f0.z, f82.z, c));
 }
 
+// The mean over a diffuse hemisphere, the integral of 2 c F(c), which the energy between facets is computed by
+// (compensated.glsl takes it by a sum that is exact for this form too). OpenPBR 1.1.1 states it.
+real f82_mean(real f0, real f82) {
+  real a = (f_schlick(f0, f82_cosine) - f82) / (f82_cosine * (real(46656) / 117649));
+  return f0 + (1 - f0) / 21 - a / 126;
+}
+
 //   tint   in [0, 1]
 real f_f82_tint(real f0, real tint, real c) {
   return f_f82(f0, tint * f_schlick(f0, f82_cosine), c);

@@ -34,6 +34,15 @@ double fresnel_exact(double n, double k, double c) {
 double f_schlick(double f0_value, double c) {
   return text::f_schlick(f0_value, c);
 }
+double f0_under(double f0_value, double f82, double n) {
+  return text::f0_under(f0_value, f82, n);
+}
+double f82_under(double f0_value, double f82, double n) {
+  return text::f82_under(f0_value, f82, n);
+}
+double f82_mean(double f0_value, double f82) {
+  return text::f82_mean(f0_value, f82);
+}
 
 void f0(std::span<const double> n, std::span<const double> k, std::span<double> out) {
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = text::f0(n[i], k[i]);
@@ -56,5 +65,11 @@ float fresnel_exact(float n, float k, float c) {
 }
 float f_schlick(float f0_value, float c) {
   return text::f_schlick(f0_value, c);
+}
+float f0_under(float f0_value, float f82, float n) {
+  return text::f0_under(f0_value, f82, n);
+}
+float f82_under(float f0_value, float f82, float n) {
+  return text::f82_under(f0_value, f82, n);
 }
 }  // namespace etak::f32

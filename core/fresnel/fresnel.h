@@ -9,12 +9,15 @@ namespace etak {
 /// term peaks.
 inline constexpr double f82_cosine = 1.0 / 7;
 
-/// The formulas of conductor.glsl and schlick.glsl in double: the reference.
+/// The formulas of conductor.glsl, schlick.glsl, f82.glsl and under_coat.glsl in double: the reference.
 namespace f64 {
 double f0(double n, double k);
 double absorptance0(double n, double k);
 double fresnel_exact(double n, double k, double c);
 double f_schlick(double f0_value, double c);
+double f0_under(double f0_value, double f82, double n);
+double f82_under(double f0_value, double f82, double n);
+double f82_mean(double f0_value, double f82);
 
 /// The formulas over arrays of one length; out may not overlap the inputs.
 void f0(std::span<const double> n, std::span<const double> k, std::span<double> out);
@@ -27,6 +30,8 @@ float f0(float n, float k);
 float absorptance0(float n, float k);
 float fresnel_exact(float n, float k, float c);
 float f_schlick(float f0_value, float c);
+float f0_under(float f0_value, float f82, float n);
+float f82_under(float f0_value, float f82, float n);
 }  // namespace f32
 
 }  // namespace etak

@@ -7,6 +7,7 @@
 #include "core/base/number.h"
 #include "core/brdf/integrals/albedo.h"
 #include "core/light/function_rows.h"
+#include "core/math/quadrature.h"
 
 namespace etak::function_rows {
 namespace {
@@ -24,7 +25,11 @@ constexpr FunctionInput pair[] = {{"n1", "index on the light's side", "", 0, 1e4
                                   {"theta_deg", "angle of incidence", "deg", 0, 90}};
 constexpr FunctionInput f0_cos[] = {f0, cosine};
 constexpr FunctionInput schueler_inputs[] = {K, {"t", "cosine; taken as 0 below 0", "", -1, 1}};
-constexpr FunctionInput f82_inputs[] = {f0, {"f82", "reflectance at cosine 1/7", "", -10, 10}, cosine};
+constexpr FunctionInput edge{"f82", "reflectance at cosine 1/7", "", -10, 10};
+constexpr FunctionInput f82_inputs[] = {f0, edge, cosine};
+constexpr FunctionInput f0_f82[] = {f0, edge};
+constexpr FunctionInput f0_f82_coat[] = {
+    f0, edge, {"coat", "index of the coat against the outside", "", 0, 1e4, true}};
 constexpr FunctionInput tint_inputs[] = {
     f0, {"tint", "share of Schlick's value at cosine 1/7", "", 0, 1}, cosine};
 constexpr FunctionInput lazanyi_inputs[] = {n,
@@ -52,6 +57,13 @@ double cos_deg(double x) {
 double of_medium(double (*formula)(double n, double k), In x) {
   const Medium m = medium(x[0], x[1]);
   return formula(m.n, m.k);
+}
+
+// Of n < 1 F has a corner at the critical angle.
+double mean_fresnel_exact(double index, double extinction) {
+  const double corner = index < 1 ? std::sqrt(1 - index * index) : 0;
+  const auto weighted = [&](double c) { return 2 * c * formulas::fresnel_exact(index, extinction, c); };
+  return adaptive_integral(weighted, 0, corner, 1e-13) + adaptive_integral(weighted, corner, 1, 1e-13);
 }
 
 double approximation(int model, double f0_value, double f82_value, double c) {
@@ -133,6 +145,21 @@ constexpr Function rows[] = {
      [](In x) { return of_medium(formulas::gulbrandsen_r, x); }},
     {"gulbrandsen_g", "edge tint", "Gulbrandsen 2014", n_k, false,
      [](In x) { return of_medium(formulas::gulbrandsen_g, x); }},
+    {"n_of_f82", "index of refraction of F0 and F82", "the circle of one F0, Gulbrandsen 2014", f0_f82, false,
+     [](In x) { return formulas::index_of_edge(x[0], x[1]).n; }},
+    {"k_of_f82", "extinction of F0 and F82", "the circle of one F0, Gulbrandsen 2014", f0_f82, false,
+     [](In x) { return formulas::index_of_edge(x[0], x[1]).k; }},
+    {"f0_under", "F0 under a clear coat of F0 and F82 in air", "n and k of F0 and F82", f0_f82_coat, false,
+     [](In x) { return formulas::f0_under(x[0], x[1], x[2]); }},
+    {"f82_under", "F82 under a clear coat, at cosine 1/7 in it", "n and k of F0 and F82", f0_f82_coat, false,
+     [](In x) { return formulas::f82_under(x[0], x[1], x[2]); }},
+    {"f82_mean", "mean of F82 over a diffuse hemisphere, weighted by 2 cos d(cos)", "OpenPBR 1.1.1", f0_f82,
+     false, [](In x) { return formulas::f82_mean(x[0], x[1]); }},
+    {"fresnel_mean", "that mean of fresnel_exact", "the integral, within 1e-12", n_k, false,
+     [](In x) {
+       const Medium m = medium(x[0], x[1]);
+       return mean_fresnel_exact(m.n, m.k);
+     }},
     {"fresnel_max_abs_error", "largest error of the approximation", "against fresnel_exact, 0 to 90 degrees",
      error_inputs, false, max_abs_error},
     {"fresnel_cosmean_abs_error", "mean error, weighted by 2 cos d(cos)",
