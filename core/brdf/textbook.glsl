@@ -27,7 +27,6 @@ real naive_from_f0(real f0_value, real c) {
   return naive_conductor((1 + root) / (1 - root), real(0), c);
 }
 
-// 5th power of 1 - c without a clamp.
 // F0 under a coat of index n, the medium taken as a dielectric.
 real naive_under(real f0_value, real n) {
   real root = sqrt(f0_value);
@@ -35,6 +34,7 @@ real naive_under(real f0_value, real n) {
   return (index - n) / (index + n) * ((index - n) / (index + n));
 }
 
+// 5th power of 1 - c without a clamp.
 real naive_schlick(real f0_value, real c) {
   real m = 1 - c;
   return f0_value + (1 - f0_value) * (m * m * m * m * m);
