@@ -18,9 +18,9 @@ PixelBox whole(const MaterialFacts& m) {
   return {0, 0, m.width, m.height};
 }
 
-std::uint64_t area(const std::vector<PixelBox>& boxes) {
+std::uint64_t area(const std::vector<PicturePart>& parts) {
   std::uint64_t sum = 0;
-  for (const PixelBox& box : boxes) sum += box.area();
+  for (const PicturePart& part : parts) sum += part.area();
   return sum;
 }
 
@@ -39,7 +39,7 @@ TexelAccount account(const Remaining& left) {
   for (std::size_t i = 0; i < left.materials.size(); ++i) {
     const MaterialFate& fate = left.out.fates[i];
     if (!fate.texels || fate.owner != i) continue;
-    const std::uint64_t texels = area(fate.boxes);
+    const std::uint64_t texels = area(fate.kept);
     sum.texels += 2 * texels;
     sum.channel_texels += texels * static_cast<std::uint64_t>(
                                        std::count(left.channels[i].begin(), left.channels[i].end(), true));
@@ -77,7 +77,7 @@ Remaining everything(const std::vector<MaterialFacts>& materials, const LeaveOut
   left.channels.resize(materials.size());
   for (std::size_t i = 0; i < materials.size(); ++i) {
     left.out.fates[i].owner = i;
-    left.out.fates[i].boxes = {whole(materials[i])};
+    left.out.fates[i].kept = {{whole(materials[i])}};
     left.channels[i].fill(true);
   }
   list_users(left);
@@ -315,30 +315,33 @@ bool crop(Remaining& left, std::size_t i) {
   });
   box = in_whole_mips(box, left.materials[i], {levels_read(left, i), left.options.gutter, left.one_owner});
   if (box == whole(left.materials[i])) return false;
-  left.out.fates[i].boxes = {box};
+  left.out.fates[i].kept = {{box}};
   return true;
 }
 
 bool split(Remaining& left, std::size_t i) {
   if (!is_owner(left, i)) return false;
-  std::vector<PixelBox> boxes;
+  std::vector<PicturePart> parts;
   users(left, i, [&](std::size_t j) {
     const MaterialFacts& m = left.materials[j];
-    if (m.islands.empty())
-      boxes.push_back(m.crop);
+    if (left.options.outlines && !m.outlines.empty())
+      parts.insert(parts.end(), m.outlines.begin(), m.outlines.end());
+    else if (m.islands.empty())
+      parts.push_back({m.crop});
     else
-      boxes.insert(boxes.end(), m.islands.begin(), m.islands.end());
+      for (const PixelBox& box : m.islands) parts.push_back({box});
   });
-  const auto order = [](const PixelBox& a, const PixelBox& b) {
-    return std::tie(a.y, a.x, a.width, a.height) < std::tie(b.y, b.x, b.width, b.height);
+  const auto order = [](const PicturePart& a, const PicturePart& b) {
+    return std::tie(a.box.y, a.box.x, a.box.width, a.box.height) <
+           std::tie(b.box.y, b.box.x, b.box.width, b.box.height);
   };
-  const RegionMips mips{levels_read(left, i), left.options.gutter, boxes.size() == 1 && left.one_owner};
-  for (PixelBox& box : boxes) box = in_whole_mips(box, left.materials[i], mips);
-  std::sort(boxes.begin(), boxes.end(), order);
-  boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
+  const RegionMips mips{levels_read(left, i), left.options.gutter, parts.size() == 1 && left.one_owner};
+  for (PicturePart& part : parts) part.box = in_whole_mips(part.box, left.materials[i], mips);
+  std::stable_sort(parts.begin(), parts.end(), order);
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
   // Boxes may overlap: what two materials use of one picture may even be more than the box around both.
-  if (area(boxes) >= area(left.out.fates[i].boxes)) return false;
-  left.out.fates[i].boxes = std::move(boxes);
+  if (area(parts) >= area(left.out.fates[i].kept)) return false;
+  left.out.fates[i].kept = std::move(parts);
   return true;
 }
 

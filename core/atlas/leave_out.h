@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/row_runs.h"
 #include "core/image/channels.h"
 #include "core/image/pixels_view.h"
 #include "core/scene/gltf.h"
@@ -37,6 +38,14 @@ inline constexpr std::array<std::string_view, 11> leave_out_names{
     "unreached", "equal",      "alpha",    "constant", "grey", "crop",
     "islands",   "resolution", "textures", "mips",     "files"};
 
+/// A part of a picture to keep: its box, or of that the texels alone that triangles read.
+struct PicturePart {
+  PixelBox box;
+  RowRuns texels = {};  // of the picture; empty: the whole box
+  std::uint64_t area() const { return texels.empty() ? box.area() : count_of(texels); }
+  friend bool operator==(const PicturePart&, const PicturePart&) = default;
+};
+
 /// What is known of a material. Without `learned`, its texels have not been looked at yet: it is then taken
 /// to need them all.
 struct MaterialFacts {
@@ -53,9 +62,11 @@ struct MaterialFacts {
   std::string source;             // materials of the same text read the same files in the same way
   PixelBox crop;                  // of the texels in use; the whole where that is not known
   std::vector<PixelBox> islands;  // empty: the crop box is the only one
-  bool tiles = false;             // the whole period is in use
-  int levels = 0;                 // mips that its sampler reads, level 0 among them; 0: all
-  int unseen = 0;                 // halvings of its picture that nobody comes near enough to see
+  std::vector<PicturePart>
+      outlines;        // the same by their texels, which may lie in each other's boxes; empty: not known
+  bool tiles = false;  // the whole period is in use
+  int levels = 0;      // mips that its sampler reads, level 0 among them; 0: all
+  int unseen = 0;      // halvings of its picture that nobody comes near enough to see
 
   friend bool operator==(const MaterialFacts&, const MaterialFacts&) = default;
 };
@@ -66,10 +77,10 @@ struct MaterialFate {
   bool texels = true;     // false: constants replace all texels, or nothing draws the material
   std::array<bool, 2> varies{true, true};  // by Texture: some channel of it varies
   std::array<std::optional<std::uint8_t>, channel_count>
-      constant;                 // the code of a channel that does not vary
-  bool grey = false;            // F0 varies, and is one number in every texel
-  std::vector<PixelBox> boxes;  // of an owner: the parts of its picture to keep; may overlap
-  std::size_t channels = 0;     // of an owner: how many of them vary
+      constant;                   // the code of a channel that does not vary
+  bool grey = false;              // F0 varies, and is one number in every texel
+  std::vector<PicturePart> kept;  // of an owner: the parts of its picture to keep; may overlap
+  std::size_t channels = 0;       // of an owner: how many of them vary
 };
 
 /// What one step of leave_out() took away.
@@ -98,6 +109,7 @@ struct TexelAccount {
 struct LeaveOutOptions {
   std::set<std::string> keep;  // of leave_out_names
   bool islands = false;
+  bool outlines = false;  // of islands: only their own texels
   // How many mips the regions on the pages will have; boxes are made of whole texels of all of these.
   int levels = 1;             // level 0 among them; 0: down to 1 x 1
   std::optional<int> gutter;  // texels around each region; none: as its mips need

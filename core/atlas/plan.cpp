@@ -5,9 +5,11 @@
 #include <cassert>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "core/atlas/outline_pieces.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 
@@ -288,6 +290,22 @@ RectLayout packed(const Planning& in, const Cells& cells, const std::vector<std:
   }
 }
 
+// The same of cells that are no rectangles: one page of any sides.
+RectLayout packed_outlines(const Cells& cells, const std::vector<std::size_t>& which,
+                           const RectOptions& options, const std::vector<MaskShape>& all) {
+  RectOptions units = options;
+  const int multiple = std::max(options.multiple, block);
+  units.multiple = multiple / std::gcd(multiple, cells.align);
+  units.largest_side = options.largest_side / cells.align;
+  std::vector<MaskShape> shapes;
+  for (const std::size_t i : which) shapes.push_back(all[i]);
+  std::optional<RectLayout> out = pack_masks(shapes, units);
+  if (!out) throw Error("the outlines of " + std::to_string(which.size()) + " regions fit no page");
+  for (RectSize& page : out->pages) page = {page.width * cells.align, page.height * cells.align};
+  for (RectPlace& place : out->places) place.x *= cells.align, place.y *= cells.align;
+  return std::move(*out);
+}
+
 void add_pages(const Planning& in, const Cells& cells, const std::vector<std::size_t>& which,
                std::array<bool, 2> has, PackingPlan& plan) {
   if (which.empty()) return;
@@ -298,7 +316,9 @@ void add_pages(const Planning& in, const Cells& cells, const std::vector<std::si
   if (cells.align > 1 && options.form != PageForm::strip)
     options.multiple = std::max(options.multiple, cells.align);
   const std::optional<PreviousRects> previous = previous_rects(in, cells, which, has);
-  const RectLayout layout = packed(in, cells, which, sizes, options, previous ? &*previous : nullptr);
+  const RectLayout layout = plan.shapes.empty()
+                                ? packed(in, cells, which, sizes, options, previous ? &*previous : nullptr)
+                                : packed_outlines(cells, which, options, plan.shapes);
   const int first = static_cast<int>(plan.pages.size());
   for (RectSize page : layout.pages) {
     if (options.form == PageForm::free || options.form == PageForm::square)
@@ -311,13 +331,13 @@ void add_pages(const Planning& in, const Cells& cells, const std::vector<std::si
     const int gutter = cells.gutters[i];
     const int width = at.rotated ? sizes[k].height : sizes[k].width;
     const int height = at.rotated ? sizes[k].width : sizes[k].height;
-    plan.places[i] = {first + at.page,
-                      at.x + gutter,
-                      at.y + gutter,
-                      at.rotated,
-                      gutter,
-                      cells.clean[i],
-                      {at.x, at.y, width, height}};
+    // The rounding up of a shape's height lies on the left of it where the shape is turned.
+    const int left = !plan.shapes.empty() && at.rotated ? width - in.regions[i].height() - 2 * gutter : 0;
+    plan.places[i] = {first + at.page, at.x + left + gutter,       at.y + gutter, at.rotated, gutter,
+                      cells.clean[i],  {at.x, at.y, width, height}};
+    if (!plan.shapes.empty())
+      plan.places[i].cell_texels = count_of(plan.shapes[i].runs) * static_cast<std::uint64_t>(cells.align) *
+                                   static_cast<std::uint64_t>(cells.align);
   }
   plan.method += (plan.method.empty() ? "" : ", ") + layout.method;
   plan.tries += layout.tries;
@@ -335,6 +355,11 @@ PackingPlan plan_with(const Planning& in, const Attempt& attempt) {
       groups[!attempt.apart || (has[0] && has[1]) ? 0 : has[0] ? 1 : 2].push_back(i);
   }
   PackingPlan plan = empty_plan(in);
+  if (std::ranges::any_of(in.regions, [](const Region& r) { return !r.texels.empty(); })) {
+    plan.unit = cells.align;
+    for (std::size_t i = 0; i < in.regions.size(); ++i)
+      plan.shapes.push_back(cell_shape(in.regions[i], cells.gutters[i], cells.clean[i], cells.align));
+  }
   add_pages(in, cells, groups[0], {true, true}, plan);
   add_pages(in, cells, groups[1], {true, false}, plan);
   add_pages(in, cells, groups[2], {false, true}, plan);

@@ -11,7 +11,7 @@
 
 #include "core/atlas/layout.h"
 #include "core/image/pixels_view.h"
-#include "core/rects/rects.h"
+#include "core/rects/masks.h"
 
 namespace etak {
 
@@ -25,10 +25,17 @@ struct Region {
   bool own_page = false;               // a page of just its size, whose edges wrap
   int levels = 0;                      // mips that its samplers read, level 0 among them; 0: all
   int shrink = 0;                      // stored as the mip of this level: sides halved so many times
+  RowRuns texels =
+      {};  // of the picture: those of the box that are stored; empty: all. They are packed as they lie
+  int outline = 0;  // of pieces of one outline (outline_pieces.h) its number, from 1 on
 
   // Texels a side as stored.
   int width() const { return std::max(1, box.width >> shrink); }
   int height() const { return std::max(1, box.height >> shrink); }
+  std::uint64_t area() const {
+    return texels.empty() ? static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height())
+                          : count_of(texels);
+  }
   friend bool operator==(const Region&, const Region&) = default;
 };
 
@@ -53,6 +60,7 @@ struct PlannedPlace {
   int gutter = 0;
   int clean_levels = 1;  // levels on which bilinear filtering reads no texel of a neighbour
   PixelBox cell;         // the texels of this region alone: with the gutter, rounded up to the alignment
+  std::uint64_t cell_texels = 0;  // of an outline: how many of the cell are of this region alone; 0: all
   friend bool operator==(const PlannedPlace&, const PlannedPlace&) = default;
 };
 
@@ -80,6 +88,9 @@ struct PackingPlan {
   std::size_t moved = 0;  // regions of the earlier layout that lie elsewhere now
   // Above 0: new regions have no more clean mips than this, so that the others could stay on their grid.
   int clean_limit = 0;
+  // Of plans with outlines: the cells by region, in units of so many texels a side.
+  std::vector<MaskShape> shapes = {};
+  int unit = 1;
 
   std::uint64_t page_texels() const;  // of both textures
   /// Mips of a page that are free of neighbours; further ones are made of the whole page.

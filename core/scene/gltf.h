@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/row_runs.h"
 #include "core/image/picture.h"
 #include "core/image/wrap.h"
 #include "core/math/mesh.h"
@@ -209,6 +210,9 @@ GltfScene parse_gltf(std::string_view bytes, const std::string& path, const Gltf
 struct AtlasIsland {
   std::array<int, 4> box{0, 0, 0, 0};  // x, y, width, height in texels of the texture
   UvTransform region;                  // as AtlasMaterial::region, for this box
+  // Where boxes of other islands overlap this one: the texels of the texture that belong to it. A triangle lies in the
+  // island that has the texel at its centre.
+  RowRuns texels = {};
 };
 
 /// What the atlas puts in place of a material's textures.
@@ -222,7 +226,7 @@ struct AtlasMaterial {
   std::optional<UvTransform> own;  // none: that of leading_texture()
   // Boxes that share no transform: the UVs of the material's triangles are rewritten vertex by vertex, into a
   // set of their own where other textures still read the old one; vertices that two boxes share are doubled.
-  // Boxes may not overlap, and each triangle must lie in one, up to half a texel. `region` is then not used.
+  // Boxes without texels of their own may not overlap, and each triangle must lie in one, up to half a texel. `region` is then not used.
   std::vector<AtlasIsland> islands;
   int texture_width = 0, texture_height = 0;  // the texels of the boxes; needed with islands
 

@@ -153,6 +153,8 @@ class Primitive {
         const auto [x, y, width, height] = material_.islands[i].box;
         if (left + slack < x || top + slack < y || right - slack >= x + width || bottom - slack >= y + height)
           continue;
+        const RowRuns& own = material_.islands[i].texels;
+        if (!own.empty() && !holds(own, footprint->centre[0], footprint->centre[1])) continue;
         const std::int64_t area = std::int64_t{width} * height;
         if (best == unset || area < best_area) {
           best = i;
@@ -205,6 +207,8 @@ class Primitive {
       const double x = folded[0] * material_.texture_width - island.box[0];
       const double y = folded[1] * material_.texture_height - island.box[1];
       if (x < 0 || y < 0 || x > island.box[2] || y > island.box[3]) continue;
+      if (!island.texels.empty() && !holds(island.texels, footprint->centre[0], footprint->centre[1]))
+        continue;
       target_[vertex] = transformed(island.region, folded);
       return;
     }

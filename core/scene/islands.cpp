@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <queue>
 #include <span>
 
@@ -172,7 +173,58 @@ void join(const Splitter& sizes, Area per_box, std::vector<Box>& boxes) {
   boxes.resize(to);
 }
 
+/// The number of the connected part (texels that share a side) of each texel of the mask, from 1 on.
+std::vector<int> parts_of(const TexelUse& use) {
+  const int width = use.width, height = use.height;
+  std::vector<int> out(use.mask.size(), 0), open;
+  int parts = 0;
+  const auto visit = [&](int texel) {
+    const auto i = static_cast<std::size_t>(texel);
+    if (use.mask[i] == 0 || out[i] != 0) return;
+    out[i] = parts;
+    open.push_back(texel);
+  };
+  for (int first = 0; first < width * height; ++first) {
+    if (use.mask[static_cast<std::size_t>(first)] == 0 || out[static_cast<std::size_t>(first)] != 0) continue;
+    ++parts;
+    visit(first);
+    while (!open.empty()) {
+      const int texel = open.back(), column = texel % width;
+      open.pop_back();
+      if (column > 0) visit(texel - 1);
+      if (column + 1 < width) visit(texel + 1);
+      if (texel >= width) visit(texel - width);
+      if (texel < width * (height - 1)) visit(texel + width);
+    }
+  }
+  return out;
+}
+
 }  // namespace
+
+std::vector<Outline> outlines(const TexelUse& use, std::size_t merge_cost) {
+  const std::vector<int> parts = parts_of(use);
+  const auto part_at = [&](int column, int row) {
+    return parts[static_cast<std::size_t>(row) * static_cast<std::size_t>(use.width) +
+                 static_cast<std::size_t>(column)];
+  };
+  std::map<int, TexelUse> by_part;
+  for (std::size_t i = 0; i < use.footprints.size(); ++i)
+    by_part[part_at(use.centres[i][0], use.centres[i][1])].footprints.push_back(use.footprints[i]);
+  std::vector<Outline> out;
+  for (auto& [part, of] : by_part) {
+    of.width = use.width;
+    of.height = use.height;
+    for (const Island& box : islands(of, 0, merge_cost)) {
+      Outline& outline = out.emplace_back(Outline{box, {}});
+      for (int y = box.y; y < box.y + box.height; ++y)
+        add_row(outline.texels, y, box.x, box.x + box.width, [&](int x) { return part_at(x, y) == part; });
+    }
+  }
+  const auto key = [](const Outline& o) { return std::array{o.box.y, o.box.x, o.box.width, o.box.height}; };
+  std::ranges::stable_sort(out, {}, key);
+  return out;
+}
 
 std::vector<Island> islands(const TexelUse& use, int margin, std::size_t merge_cost) {
   assert(margin >= 0);

@@ -168,6 +168,14 @@ std::array<int, 4> cut_footprint(const Range& x, const Range& y, int width, int 
           std::min(height - 1, last_texel(cut(y.most, height)))};
 }
 
+/// The texel at the centre of a triangle, which bilinear filtering reads there.
+std::array<int, 2> centre_of(const Triangle& t, int width, int height) {
+  const auto texel = [&](std::size_t axis, int size) {
+    return floor_of(std::clamp((t[0][axis] + t[1][axis] + t[2][axis]) / 3, 0.0, size - 0.5));
+  };
+  return {texel(0, width), texel(1, height)};
+}
+
 /// The triangles of a material's uses once each, in texels of the texture; false where some have no UVs.
 bool collect(const MaterialUses& uses, int material, const GltfTexture& texture, int width, int height,
              std::vector<Triangle>& out) {
@@ -284,6 +292,8 @@ void mark_all(std::vector<Triangle>& triangles, const GltfSampler& sampler, Rast
     const auto footprint = cut_footprint(in.x, in.y, use.width, use.height);
     auto& kept = use.footprints.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) kept[i] = static_cast<std::int16_t>(footprint[i]);
+    const auto [column, row] = centre_of(triangle, use.width, use.height);
+    use.centres.push_back({static_cast<std::int16_t>(column), static_cast<std::int16_t>(row)});
   }
 }
 
@@ -326,12 +336,14 @@ std::optional<Footprint> footprint_of(const std::array<Uv, 3>& uv, const GltfSam
     return std::nullopt;
   const PeriodFold in_u = fold_of_period(sampler.wrap_u, period_u),
                    in_v = fold_of_period(sampler.wrap_v, period_v);
-  Range x, y;
-  for (const Uv& corner : uv) {
-    x.add((in_u.scale * corner[0] + in_u.offset) * width);
-    y.add((in_v.scale * corner[1] + in_v.offset) * height);
-  }
-  return Footprint{cut_footprint(x, y, width, height),
+  Triangle folded;
+  for (std::size_t i = 0; i < 3; ++i)
+    folded[i] = {(in_u.scale * uv[i][0] + in_u.offset) * width,
+                 (in_v.scale * uv[i][1] + in_v.offset) * height};
+  Ranges in;
+  in.add(folded);
+  return Footprint{cut_footprint(in.x, in.y, width, height),
+                   centre_of(folded, width, height),
                    {{in_u.offset, in_v.offset}, {in_u.scale, in_v.scale}, 0}};
 }
 
@@ -356,7 +368,7 @@ TexelUse texel_use(const MaterialUses& uses, int material, const GltfTexture& te
     use.extent = {0, 0, width, height};
     use.foldable = false;
   }
-  if (!use.foldable) use.footprints.clear();
+  if (!use.foldable) use.footprints.clear(), use.centres.clear();
   measure(use);
   return use;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/row_runs.h"
 #include "core/scene/material_uses.h"
 
 namespace etak {
@@ -36,6 +37,8 @@ struct TexelUse {
   // Per triangle: first and last column and row of its footprint (left, top, right, bottom) after folding,
   // cut to the texture. Empty unless `foldable`.
   std::vector<std::array<std::int16_t, 4>> footprints;
+  // Per triangle a texel that it reads, column and row: the one at its centre. As many as footprints.
+  std::vector<std::array<std::int16_t, 2>> centres;
 };
 
 /// Rasterises conservatively: no texel that bilinear filtering at level 0 can read is missed, of lines and points
@@ -54,6 +57,7 @@ std::vector<std::uint8_t> texels_read(const TexelUse& use, const GltfSampler& sa
 /// The footprint of one triangle, as texel_use() sees it.
 struct Footprint {
   std::array<int, 4> texels{0, 0, 0, 0};  // left, top, right, bottom, cut to the texture
+  std::array<int, 2> centre{0, 0};        // column and row of the texel at the triangle's centre
   UvTransform fold;                       // brings the triangle into [0,1]
 };
 /// `uv`: after the texture's own transform. None when the triangle does not lie in one period.
@@ -72,5 +76,17 @@ struct Island {
 /// holds its footprint, and finds all the texels there that it reads. In order of y, then x.
 ///   `use` without footprints gives its box, grown by the margin.
 std::vector<Island> islands(const TexelUse& use, int margin, std::size_t merge_cost);
+
+/// An island and those of its texels that belong to it. Others in its box may belong to other islands.
+struct Outline {
+  Island box;
+  RowRuns texels;  // of the texture
+  friend bool operator==(const Outline&, const Outline&) = default;
+};
+
+/// The islands of each connected part of the mask by itself: an island has the texels of its part in its box. Every
+/// triangle is to be looked up in the smallest box that holds its footprint and whose texels hold the triangle's
+/// centre, and finds all the texels there that it reads. Sorted as islands(); none without footprints.
+std::vector<Outline> outlines(const TexelUse& use, std::size_t merge_cost);
 
 }  // namespace etak

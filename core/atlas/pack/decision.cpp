@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/scene/gltf_pack.h"
@@ -39,6 +40,7 @@ LeaveOut left_out_of(const PackSource& source, const PackOptions& options, const
   for (const PackInput& m : source.inputs.materials) facts.push_back(m.facts);
   LeaveOutOptions what = options.leave_out;
   what.islands = way.islands;
+  what.outlines = way.outlines;
   if (way.whole) what.keep.insert("crop");
   what.levels = levels_sampled(options, source);
   what.gutter = options.layout.gutter;
@@ -82,7 +84,8 @@ std::vector<Region> regions_needed(const PackOptions& options, const PackSource&
     }
     if (options.leave_out.keep.contains("textures") || source.one_page) in = {true, true};
     if (options.leave_out.keep.contains("mips")) levels = 0;
-    for (const PixelBox& box : fate.boxes) out.push_back({i, box, in, own_page, levels, 0});
+    for (const PicturePart& part : fate.kept)
+      out.push_back({i, part.box, in, own_page, levels, 0, part.texels});
   }
   // The only picture of a scene keeps its sampler, and so its other side beyond each edge.
   if (source.scene && out.size() == 1) {
@@ -213,12 +216,13 @@ void teach_same_sources(PackInputs& inputs) {
                   "at most " + limit + " x " + limit + ", a larger " + setting("page") + " or another goal");
 }
 
-enum class Way { islands, crops, whole };
+enum class Way { outlines, islands, crops, whole };
 
 PackDecision decided(Way way, const PackOptions& options, const PackSource& source,
                      const AtlasLayout* previous, FoundResolutions& found) {
   PackDecision out;
-  out.islands = way == Way::islands;
+  out.outlines = way == Way::outlines;
+  out.islands = out.outlines || way == Way::islands;
   out.whole = way == Way::whole;
   out.left_out = left_out_of(source, options, out);
   const Users users = users_by_owner(out.left_out.fates);
@@ -235,8 +239,25 @@ PackDecision decided(Way way, const PackOptions& options, const PackSource& sour
     if (!source.one_page) throw;
     refuse_page(out.regions, names, plan);
   }
+  out.needed.places = out.plan.places;
+  PlacedRegions pieces = outline_pieces(out.regions, out.plan);
+  out.needed.regions = std::exchange(out.regions, std::move(pieces.regions));
+  out.plan.places = std::move(pieces.places);
+  out.plan.shapes.clear();
   out.levels = levels_of(options, source.inputs, out.regions, out.plan);
   return out;
+}
+
+// Whether islands may lie in each other's boxes. That is done for what a scene's PNG files hold, level 0 on one page of
+// any sides; other levels are made region by region, and their gutters would meet.
+bool may_outline(const PackOptions& options, const PackSource& source, const AtlasLayout* previous) {
+  const bool reduced =
+      options.leave_out.max_error ||
+      std::ranges::any_of(source.inputs.materials, [](const PackInput& m) { return m.facts.unseen > 0; });
+  return options.leave_out.islands && source.scene && !source.one_page && previous == nullptr && !reduced &&
+         options.layout.form.value_or(PageForm::free) == PageForm::free &&
+         levels_asked(options, source.inputs) == 1 && !options.output.bleed &&
+         !writes_floats(options.output.write);
 }
 
 // Bytes of the pages' two textures on a GPU.
@@ -268,6 +289,11 @@ std::vector<PackDecision> decide(const PackOptions& options, const PackSource& s
                                  const AtlasLayout* previous, FoundResolutions& found) {
   std::vector<PackDecision> out;
   if (options.leave_out.islands) out.push_back(decided(Way::islands, options, source, previous, found));
+  if (may_outline(options, source, previous)) try {
+      PackDecision outlines = decided(Way::outlines, options, source, previous, found);
+      if (outlines.plan.page_texels() < out[0].plan.page_texels()) out[0] = std::move(outlines);
+    } catch (const Error&) {  // outlines take one page, and boxes may take several
+    }
   try {
     out.push_back(decided(Way::crops, options, source, previous, found));
   } catch (const Error&) {
@@ -297,10 +323,11 @@ bool learn(const std::vector<Learned>& learned, const PackOptions& options, Pack
   decision.left_out = left_out_of(source, options, decision);
   const std::vector<Region> now =
       regions_needed(options, source, decision, users_by_owner(decision.left_out.fates));
-  return std::equal(now.begin(), now.end(), decision.regions.begin(), decision.regions.end(),
+  const std::vector<Region>& before = decision.needed.regions;
+  return std::equal(now.begin(), now.end(), before.begin(), before.end(),
                     [](const Region& a, const Region& b) {
-                      return std::tie(a.material, a.box, a.in, a.own_page) ==
-                             std::tie(b.material, b.box, b.in, b.own_page);
+                      return std::tie(a.material, a.box, a.in, a.own_page, a.texels) ==
+                             std::tie(b.material, b.box, b.in, b.own_page, b.texels);
                     });
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/atlas/layout.h"
 #include "core/atlas/leave_out.h"
+#include "core/atlas/outline_pieces.h"
 #include "core/atlas/pack/source.h"
 #include "core/atlas/pack/totals.h"
 #include "core/atlas/plan.h"
@@ -36,9 +37,11 @@ struct PictureSizes {
 /// What an atlas is to hold and where it goes.
 struct PackDecision {
   bool islands = false;                 // texels between islands are left out; see decide()
+  bool outlines = false;                // of islands: each keeps its own texels alone
   bool whole = false;                   // each picture lies whole on a page of its own; see decide()
   LeaveOut left_out;                    // its fates: by material
-  std::vector<Region> regions;          // the texels that are not left out
+  PlacedRegions needed;                 // the texels that are not left out, where the plan puts them
+  std::vector<Region> regions;          // the same with outlines in pieces (outline_pieces.h)
   std::vector<Resolution> resolutions;  // by region: with how many texels it is stored
   PackingPlan plan;                     // its places: by region
   std::vector<PageLevels> levels;       // by page
@@ -59,7 +62,8 @@ using FoundResolutions = std::map<std::array<int, 7>, Resolution>;
 /// that fits no page.
 ///   previous   null: none
 ///   found      is looked up and added to
-///   returns    one decision, with the islands that are asked for only if the pages get smaller by them;
+///   returns    one decision, with the islands that are asked for only if the pages get smaller by them, and of
+///              these with their outlines only if that is smaller than with their boxes;
 ///              where files are to be weighed, those with and without islands. Where the pages of a scene would
 ///              take more than the textures that they replace, for the gutters around small pictures, each
 ///              picture lies whole on a page of its own if that takes less; not where a form of pages, gutters

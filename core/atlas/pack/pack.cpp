@@ -117,7 +117,7 @@ std::optional<int> least_clean_levels(const PackingPlan& plan) {
 void tell(const PackSource& source, const PackDecision& decision, const std::vector<Learned>& learned,
           const SceneChoice& scene, PackResult& result) {
   const PackingPlan& plan = decision.plan;
-  result.regions = decision.regions.size();
+  result.regions = decision.needed.regions.size();
   result.pages = plan.pages;
   result.method = plan.method;
   result.tries = plan.tries;

@@ -27,14 +27,16 @@ std::size_t first_region_of(const std::vector<Region>& regions, std::size_t owne
 void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decision, AtlasLayout& out) {
   const PackingPlan& plan = decision.plan;
   const std::vector<Region>& regions = decision.regions;
+  const std::size_t first = first_region_of(regions, owner);
   int island = 0;
-  for (std::size_t r = first_region_of(regions, owner); r < regions.size() && regions[r].material == owner;
-       ++r) {
+  for (std::size_t r = first; r < regions.size() && regions[r].material == owner; ++r) {
     const PixelBox& box = regions[r].box;
     const PlannedPlace& at = plan.places[r];
     AtlasRect rect;
     rect.name = m.name;
-    rect.island = island++;
+    // The pieces of an outline are one island.
+    if (r > first && (regions[r].outline == 0 || regions[r].outline != regions[r - 1].outline)) ++island;
+    rect.island = island;
     rect.page = at.page;
     const PixelBox on_page = box_on_page(regions[r], at);
     rect.x = on_page.x;
@@ -199,17 +201,18 @@ AtlasLayout layout_table(const PackOptions& options, const PackSource& source, c
 
 BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision& decision) {
   BoxesOnPage out;
-  const std::vector<Region>& regions = decision.regions;
+  const auto& [regions, places] = decision.needed;
   for (std::size_t r = first_region_of(regions, owner); r < regions.size() && regions[r].material == owner;
        ++r) {
-    const PlannedPlace& at = decision.plan.places[r];
+    const PlannedPlace& at = places[r];
     const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(at.page)];
     if (out.page >= 0 && out.page != at.page)
       throw Error::at(in.name, "its islands lie on several pages, which one material cannot read",
                       "a larger " + setting("page") + ", or no " + setting("islands"));
     out.page = at.page;
     out.own_page = regions[r].own_page;
-    out.boxes.push_back({array_of(regions[r].box), transform_of(in, regions[r], at, page)});
+    out.boxes.push_back(
+        {array_of(regions[r].box), transform_of(in, regions[r], at, page), regions[r].texels});
   }
   return out;
 }
@@ -217,13 +220,13 @@ BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision&
 void account(const PackInputs& inputs, const PackDecision& decision, PackResult& report) {
   std::uint64_t cells = 0, regions = 0, single = 0;
   std::size_t singles = 0;
-  for (std::size_t r = 0; r < decision.regions.size(); ++r) {
-    const PixelBox& cell = decision.plan.places[r].cell;
-    const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(decision.plan.places[r].page)];
+  for (std::size_t r = 0; r < decision.needed.regions.size(); ++r) {
+    const PlannedPlace& place = decision.needed.places[r];
+    const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(place.page)];
     const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
-    const std::uint64_t area = texels_of(decision.regions[r].width(), decision.regions[r].height());
+    const std::uint64_t area = decision.needed.regions[r].area();
     regions += textures * area;
-    cells += textures * static_cast<std::uint64_t>(cell.width) * static_cast<std::uint64_t>(cell.height);
+    cells += textures * (place.cell_texels > 0 ? place.cell_texels : place.cell.area());
     if (textures == 1) single += area, ++singles;
   }
   report.region_texels = regions;

@@ -134,10 +134,15 @@ void Composer::learn(std::vector<Learned>& learned) const {
 void Composer::texels(int page, PagePixels& pixels, std::vector<Learned>& learned,
                       const std::function<void()>& region_done) {
   begin_page(page);
+  // The pieces of an outline have texels in common, which one thread writes: its first piece stands for all.
+  const auto is_of = [this](std::size_t i, std::size_t piece) {
+    return i < regions_.size() && regions_[i].outline != 0 && regions_[i].outline == regions_[piece].outline;
+  };
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < regions_.size(); ++i)
     for (const Texture texture : both_textures)
-      if (plan_.places[i].page == page && plan_.pages[static_cast<std::size_t>(page)].has[index_of(texture)])
+      if (!(i > 0 && is_of(i - 1, i)) && plan_.places[i].page == page &&
+          plan_.pages[static_cast<std::size_t>(page)].has[index_of(texture)])
         tasks.push_back({i, texture});
   // The largest first, so that none is left for the end.
   std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) {
@@ -145,8 +150,11 @@ void Composer::texels(int page, PagePixels& pixels, std::vector<Learned>& learne
     return std::int64_t{first.width} * first.height > std::int64_t{second.width} * second.height;
   });
   parallel_chunks(tasks.size(), options_.threads, 1, [&](std::size_t begin, std::size_t, unsigned worker) {
-    region_texels(tasks[begin].region, tasks[begin].texture, pixels, worker);
-    if (region_done) region_done();
+    const Task& first = tasks[begin];
+    for (std::size_t i = first.region; i == first.region || is_of(i, first.region); ++i) {
+      region_texels(i, first.texture, pixels, worker);
+      if (region_done) region_done();
+    }
   });
   learn(learned);
   pairs_.clear();

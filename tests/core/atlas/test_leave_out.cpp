@@ -94,7 +94,7 @@ TEST_CASE("an opaque material uses the texels of one that needs alpha, not the o
   CHECK(out.fates[0].owner == 1);
   CHECK(out.fates[1].owner == 1);
   CHECK(out.fates[2].owner == 2);
-  CHECK(out.fates[1].boxes == std::vector<PixelBox>{{0, 0, 12, 12}});
+  CHECK(out.fates[1].kept == std::vector<PicturePart>{{{0, 0, 12, 12}}});
 }
 
 TEST_CASE("materials are equal when they are so in all that varies, and keep their own numbers") {
@@ -138,14 +138,14 @@ TEST_CASE("islands are taken only where they are fewer texels than the box aroun
   m[0].crop = {0, 0, 100, 100};
   m[0].islands = {{0, 0, 10, 10}, {90, 90, 10, 10}};
   LeaveOutOptions options;
-  CHECK(leave_out(m, options).fates[0].boxes.size() == 1);
+  CHECK(leave_out(m, options).fates[0].kept.size() == 1);
   options.islands = true;
   const LeaveOut out = leave_out(m, options);
-  CHECK(out.fates[0].boxes.size() == 2);
+  CHECK(out.fates[0].kept.size() == 2);
   CHECK(out.after.texels == 2 * 200);
   m[0].crop = {0, 0, 12, 10};
   m[0].islands = {{0, 0, 10, 10}, {2, 0, 10, 10}};
-  CHECK(leave_out(m, options).fates[0].boxes.size() == 1);
+  CHECK(leave_out(m, options).fates[0].kept.size() == 1);
 }
 
 TEST_CASE("the lines of a report add up to what is gone") {
@@ -227,7 +227,7 @@ TEST_CASE(
     LeaveOutOptions options;
     options.levels = levels;
     options.gutter = gutter;
-    return leave_out(m, options).fates[0].boxes[0];
+    return leave_out(m, options).fates[0].kept[0].box;
   };
   CHECK(crop_with(1) == PixelBox{37, 101, 131, 90});
   // A smaller side of 64 to 127 texels keeps two levels clean.

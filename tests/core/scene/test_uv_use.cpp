@@ -228,6 +228,39 @@ TEST_CASE("islands hold every footprint with its margin, and are worth their num
   CHECK(before == 1);
 }
 
+TEST_CASE(
+    "each triangle finds all texels that it reads in the smallest outline around it that has its centre") {
+  std::mt19937 random(19);
+  std::uniform_real_distribution<float> at(0.02f, 0.8f), size(0.01f, 0.18f);
+  std::vector<Corners> triangles;
+  for (int i = 0; i < 60; ++i) {
+    const float u = at(random), v = at(random);
+    triangles.push_back(rectangle(u, v, u + size(random), v + size(random))[0]);
+  }
+  const TexelUse all = use_of(triangles, Wrap::repeat, 256);
+  for (const std::size_t cost : {0u, 64u, 1u << 20}) {
+    const auto found = outlines(all, cost);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const auto& f = all.footprints[t];
+      const Outline* best = nullptr;
+      for (const Outline& o : found) {
+        const Island& b = o.box;
+        if (f[0] < b.x || f[1] < b.y || f[2] >= b.x + b.width || f[3] >= b.y + b.height) continue;
+        if (!holds(o.texels, all.centres[t][0], all.centres[t][1])) continue;
+        if (best == nullptr || b.width * b.height < best->box.width * best->box.height) best = &o;
+      }
+      REQUIRE(best != nullptr);
+      const TexelUse alone = use_of({triangles[t]}, Wrap::repeat, 256);
+      std::size_t missing = 0;
+      for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 256; ++x)
+          missing +=
+              alone.mask[static_cast<std::size_t>(256 * y + x)] != 0 && !holds(best->texels, x, y) ? 1 : 0;
+      CHECK(missing == 0);
+    }
+  }
+}
+
 TEST_CASE("two charts far apart are two islands, in order, and a cheap merge makes them one") {
   auto two = rectangle(0.5f, 0.5f, 0.75f, 0.75f);
   for (const Corners& c : rectangle(0.125f, 0.125f, 0.25f, 0.25f)) two.push_back(c);

@@ -33,6 +33,8 @@ namespace fs = std::filesystem;
 
 // One more box costs about so many texels, for its gutter and for the waste around it.
 constexpr std::size_t island_cost = 256;
+// An outline costs its gutter alone: others use the room around it.
+constexpr std::size_t outline_cost = 64;
 constexpr int island_margin = 0;  // footprints hold what bilinear filtering reads; gutters are for the mips
 constexpr int sampled_gutter_levels = 4;
 // Surfaces are seen at an angle, and isotropic filters choose the level by the longer side of a pixel's
@@ -183,6 +185,10 @@ void use_of(const SceneRead& read, PackInput& in, SceneRead::Entry& entry, const
   if (!by_islands) return;
   for (const Island& island : islands(use, island_margin, island_cost))
     in.facts.islands.push_back({island.x, island.y, island.width, island.height});
+  for (Outline& outline : outlines(use, outline_cost)) {
+    const Island& box = outline.box;
+    in.facts.outlines.push_back({{box.x, box.y, box.width, box.height}, std::move(outline.texels)});
+  }
 }
 
 // Finds the size, the texels and the used texels of one material.

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rects/masks.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <string_view>
+
+#include "core/base/parallel.h"
+#include "core/rects/index.h"
+
+namespace etak {
+namespace {
+
+using Word = std::uint64_t;
+constexpr int word_bits = 64;
+constexpr Word all_ones = ~Word{0};
+
+using rects::at;
+
+int log2_floor(int value) {
+  return std::bit_width(static_cast<unsigned>(value)) - 1;
+}
+
+/// A shape with its longest runs first: these find soonest that no column of a row is free.
+struct Ready {
+  MaskShape shape;
+  RowRuns longest_first;
+  std::int64_t area = 0;
+
+  explicit Ready(MaskShape of) : shape(std::move(of)), longest_first(shape.runs) {
+    std::stable_sort(longest_first.begin(), longest_first.end(),
+                     [](const RowRun& a, const RowRun& b) { return a.end - a.begin > b.end - b.begin; });
+    area = static_cast<std::int64_t>(count_of(shape.runs));
+  }
+};
+
+struct MaskSpot {
+  int x = 0, y = 0;
+};
+
+/// A page of a fixed width.
+class MaskPage {
+ public:
+  MaskPage(int width, int height)
+      : width_(width),
+        words_((width + word_bits - 1) / word_bits),
+        stride_(at(words_) + 1),  // a word of zeros behind each row
+        levels_(at(log2_floor(width) + 1), std::vector<Word>(stride_ * at(height), 0)),
+        taken_(at(words_)) {}
+
+  /// The lowest row up to `last`, and there the leftmost column, at which the shape is free.
+  std::optional<MaskSpot> find(const Ready& of, int last) {
+    if (of.shape.width > width_) return std::nullopt;
+    const int columns = width_ - of.shape.width + 1, words = (columns + word_bits - 1) / word_bits;
+    const Word beyond = columns % word_bits == 0 ? 0 : all_ones << (columns % word_bits);
+    for (int y = 0; y <= last; ++y) {
+      std::fill_n(taken_.begin(), words, Word{0});
+      taken_[at(words - 1)] = beyond;
+      if (!any_free(of, y, words)) continue;
+      for (int i = 0; i < words; ++i)
+        if (taken_[at(i)] != all_ones) return MaskSpot{i * word_bits + std::countr_one(taken_[at(i)]), y};
+    }
+    return std::nullopt;
+  }
+
+  void put(const MaskShape& shape, const MaskSpot& spot) {
+    for (std::size_t i = 0; i < shape.runs.size(); ++i) {
+      const RowRun& run = shape.runs[i];
+      set(row(0, spot.y + run.row), spot.x + run.begin, spot.x + run.end);
+      if (i + 1 == shape.runs.size() || shape.runs[i + 1].row != run.row) widen(spot.y + run.row);
+    }
+  }
+
+ private:
+  Word* row(int level, int y) { return levels_[at(level)].data() + stride_ * at(y); }
+
+  static void set(Word* row, int begin, int end) {
+    for (int i = begin / word_bits; i <= (end - 1) / word_bits; ++i) {
+      const int from = std::max(begin - i * word_bits, 0), to = std::min(end - i * word_bits, word_bits);
+      row[i] |= (all_ones << from) & (all_ones >> (word_bits - to));
+    }
+  }
+
+  /// Bit x of level k says whether any of the units x .. x + 2^k - 1 is taken.
+  void widen(int y) {
+    for (int k = 1; k < static_cast<int>(levels_.size()); ++k) {
+      const Word* const from = row(k - 1, y);
+      Word* const to = row(k, y);
+      const int shift = 1 << (k - 1), words = shift / word_bits, bits = shift % word_bits;
+      for (int i = 0; i < words_; ++i) {
+        const Word low = i + words < words_ ? from[i + words] : 0;
+        const Word high = i + words + 1 < words_ ? from[i + words + 1] : 0;
+        to[i] = from[i] | (bits == 0 ? low : low >> bits | high << (word_bits - bits));
+      }
+    }
+  }
+
+  /// Adds to taken_ the columns at which a run of the shape meets what lies there.
+  bool any_free(const Ready& of, int y, int words) {
+    for (const RowRun& run : of.longest_first) {
+      const int level = log2_floor(run.end - run.begin);
+      const Word* const here = row(level, y + run.row);
+      const int second = run.end - (1 << level);
+      const Word *const a = here + run.begin / word_bits, *const b = here + second / word_bits;
+      const int a_bits = run.begin % word_bits, b_bits = second % word_bits;
+      Word all = all_ones;
+      for (int i = 0; i < words; ++i) {
+        // Shifting by one and then by the rest leaves nothing where the rest is a whole word.
+        const Word first = a[i] >> a_bits | a[i + 1] << 1 << (word_bits - 1 - a_bits);
+        const Word last = b[i] >> b_bits | b[i + 1] << 1 << (word_bits - 1 - b_bits);
+        taken_[at(i)] |= first | last;
+        all &= taken_[at(i)];
+      }
+      if (all == all_ones) return false;
+    }
+    return true;
+  }
+
+  int width_, words_;
+  std::size_t stride_;
+  std::vector<std::vector<Word>> levels_;
+  std::vector<Word> taken_;
+};
+
+struct Order {
+  std::string_view name;
+  double (*key)(const Ready&);  // the largest first
+};
+constexpr std::array<Order, 4> orders{{
+    {"height", [](const Ready& r) { return static_cast<double>(r.shape.height); }},
+    {"perimeter", [](const Ready& r) { return static_cast<double>(r.shape.width + r.shape.height); }},
+    {"area", [](const Ready& r) { return static_cast<double>(r.area); }},
+    {"side", [](const Ready& r) { return static_cast<double>(std::max(r.shape.width, r.shape.height)); }},
+}};
+
+struct Try {
+  std::size_t order = 0;
+  int width = 0;
+};
+
+/// What a try found: no places where its page would have been larger than allowed.
+struct Found {
+  RectSize page;
+  std::vector<RectPlace> places;
+  std::int64_t area = std::numeric_limits<std::int64_t>::max();
+};
+
+class MaskSearch {
+ public:
+  MaskSearch(std::span<const MaskShape> shapes, const RectOptions& options) : options_(options) {
+    for (const MaskShape& shape : shapes) {
+      const Ready& ready = upright_.emplace_back(shape);
+      if (options.rotate) turned_.emplace_back(turned(shape));
+      area_ += ready.area;
+      boxes_ += std::int64_t{shape.width} * shape.height;
+      least_ = std::max(least_, options.rotate ? std::min(shape.width, shape.height) : shape.width);
+    }
+    for (const Order& order : orders) {
+      std::vector<std::size_t>& indices = sorted_.emplace_back(shapes.size());
+      std::iota(indices.begin(), indices.end(), std::size_t{0});
+      std::stable_sort(indices.begin(), indices.end(), [&](std::size_t a, std::size_t b) {
+        return order.key(upright_[a]) > order.key(upright_[b]);
+      });
+    }
+  }
+
+  Found run() {
+    // The first look: every width by the first order.
+    std::vector<Try> tries;
+    const double middle = std::sqrt(static_cast<double>(area_) / usual_fill);
+    for (int k = -widths_each_way; k <= widths_each_way; ++k)
+      tries.push_back({0, rounded(static_cast<int>(middle * std::exp2(k / 7.0)))});
+    std::vector<Try> good = compete(tries);
+    // The best widths by all orders, then widths close to the best.
+    tries.clear();
+    for (std::size_t i = 0; i < std::min(good.size(), finalists); ++i)
+      for (std::size_t order = 1; order < orders.size(); ++order) tries.push_back({order, good[i].width});
+    good = compete(tries);
+    tries.clear();
+    for (int k = -neighbours; k <= neighbours && best_.area < none; ++k)
+      if (k != 0) tries.push_back({won_.order, rounded(won_.width + 8 * k)});
+    compete(tries);
+    return std::move(best_);
+  }
+  std::string_view order() const { return orders[won_.order].name; }
+  int tries() const { return tries_; }
+
+ private:
+  static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  static constexpr double usual_fill = 0.85;
+  static constexpr int widths_each_way = 4, neighbours = 2;
+  static constexpr std::size_t finalists = 2;
+
+  int rounded(int side) const {
+    const int multiple = options_.multiple;
+    const int least = (least_ + multiple - 1) / multiple * multiple;
+    return std::clamp((side + multiple - 1) / multiple * multiple, least,
+                      std::max(least, options_.largest_side / multiple * multiple));
+  }
+
+  /// Makes the tries; the best is kept. All of them are measured against the best of those before, so that
+  /// the threads do not matter. Returns those that were as good as any before, the best first.
+  std::vector<Try> compete(const std::vector<Try>& tries) {
+    std::vector<Found> found(tries.size());
+    parallel_chunks(tries.size(), options_.threads, 1,
+                    [&](std::size_t i, std::size_t, unsigned) { found[i] = packed(tries[i]); });
+    tries_ += static_cast<int>(tries.size());
+    std::vector<std::size_t> by_area(tries.size());
+    std::iota(by_area.begin(), by_area.end(), std::size_t{0});
+    std::stable_sort(by_area.begin(), by_area.end(),
+                     [&](std::size_t a, std::size_t b) { return found[a].area < found[b].area; });
+    std::vector<Try> out;
+    for (const std::size_t i : by_area)
+      if (found[i].area < none) out.push_back(tries[i]);
+    if (!out.empty() && found[by_area[0]].area < best_.area) {
+      best_ = std::move(found[by_area[0]]);
+      won_ = out[0];
+    }
+    return out;
+  }
+
+  Found packed(const Try& of) const {
+    // No page is looked for that is larger than the best so far, or than twice the boxes of the shapes.
+    const std::int64_t most = std::min(best_.area, 2 * boxes_ + of.width * tallest());
+    const auto height = static_cast<int>(std::min<std::int64_t>(options_.largest_side, most / of.width));
+    Found out;
+    out.places.resize(upright_.size());
+    if (of.width > options_.largest_side || height < 1) return {};
+    MaskPage page(of.width, height);
+    int bottom = 0;
+    for (const std::size_t i : sorted_[of.order]) {
+      std::optional<MaskSpot> spot = page.find(upright_[i], height - upright_[i].shape.height);
+      bool is_turned = false;
+      if (options_.rotate) {
+        const int other = height - turned_[i].shape.height;
+        const std::optional<MaskSpot> second = page.find(turned_[i], other);
+        const auto end = [](const MaskSpot& s, const Ready& r) { return s.y + r.shape.height; };
+        is_turned = second && (!spot || end(*second, turned_[i]) < end(*spot, upright_[i]));
+        if (is_turned) spot = second;
+      }
+      if (!spot) return {};
+      const MaskShape& shape = (is_turned ? turned_ : upright_)[i].shape;
+      page.put(shape, *spot);
+      out.places[i] = {0, spot->x, spot->y, is_turned};
+      bottom = std::max(bottom, spot->y + shape.height);
+    }
+    const int multiple = options_.multiple;
+    out.page = {of.width, (bottom + multiple - 1) / multiple * multiple};
+    if (out.page.height > options_.largest_side) return {};
+    out.area = std::int64_t{out.page.width} * out.page.height;
+    return out;
+  }
+
+  std::int64_t tallest() const {
+    int out = 1;
+    for (const Ready& each : upright_) out = std::max({out, each.shape.height, each.shape.width});
+    return out;
+  }
+
+  const RectOptions& options_;
+  std::vector<Ready> upright_, turned_;
+  std::vector<std::vector<std::size_t>> sorted_;  // by order
+  std::int64_t area_ = 0, boxes_ = 0;
+  int least_ = 1, tries_ = 0;
+  Found best_;
+  Try won_;
+};
+
+}  // namespace
+
+MaskShape turned(const MaskShape& shape) {
+  std::vector<std::vector<bool>> rows(at(shape.width), std::vector<bool>(at(shape.height)));
+  for (const RowRun& run : shape.runs)
+    for (int x = run.begin; x < run.end; ++x) rows[at(x)][at(shape.height - 1 - run.row)] = true;
+  MaskShape out{shape.height, shape.width, {}};
+  for (int y = 0; y < out.height; ++y)
+    add_row(out.runs, y, 0, out.width, [&](int x) { return bool{rows[at(y)][at(x)]}; });
+  return out;
+}
+
+std::optional<RectLayout> pack_masks(std::span<const MaskShape> shapes, const RectOptions& options) {
+  if (shapes.empty()) return std::nullopt;
+  MaskSearch search(shapes, options);
+  Found found = search.run();
+  if (found.page.width == 0) return std::nullopt;
+  RectLayout out;
+  out.pages = {found.page};
+  out.places = std::move(found.places);
+  out.method = "outlines by " + std::string(search.order());
+  out.tries = search.tries();
+  return out;
+}
+
+}  // namespace etak
