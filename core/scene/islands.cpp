@@ -218,7 +218,8 @@ std::vector<Outline> outlines(const TexelUse& use, std::size_t merge_cost) {
     for (const Island& box : islands(of, 0, merge_cost)) {
       Outline& outline = out.emplace_back(Outline{box, {}});
       for (int y = box.y; y < box.y + box.height; ++y)
-        add_row(outline.texels, y, box.x, box.x + box.width, [&](int x) { return part_at(x, y) == part; });
+        add_row(outline.texels, y, box.x, box.x + box.width,
+                [&, of_part = part](int x) { return part_at(x, y) == of_part; });
     }
   }
   const auto key = [](const Outline& o) { return std::array{o.box.y, o.box.x, o.box.width, o.box.height}; };
