@@ -132,7 +132,7 @@ Picture load_picture(std::string_view bytes, const std::string& label, const Pic
 
 Picture load_picture(const std::string& path, const PictureDoor& door) {
   const std::string format = picture_format(read_head(path, 32), path);
-  if (format != "png" && format != "dds" && format != "ktx2")
+  if (format != "png" && !is_gpu_texture(format))
     return with_memory_for(
         path, [] { return "its pixels"; }, [&] { return decoded(door.file, path, path); });
   return load_picture(SteadyFile(path, largest_picture_bytes).all(), path, door);

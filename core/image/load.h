@@ -15,6 +15,12 @@ namespace etak {
 // PNG are read by core/image/files/png.h; its other forms and all other formats are read by the functions of
 // the PictureDoor that the caller gives.
 
+/// Whether files of a format, as picture_format() names it, are textures for a GPU, some of which load_picture() reads by
+/// itself (containers.h): a door alone does not know all of their headers.
+inline bool is_gpu_texture(std::string_view format) {
+  return format == "dds" || format == "ktx2";
+}
+
 /// Reads a whole picture. Throws Error that names `path` for a file that changes while it is read, and for
 /// anything but a whole picture of 1 to max_image_side pixels on a side and 1 to 4 channels: see image_io.h
 /// and, for PNG, PngReader of png.h.

@@ -20,11 +20,17 @@ inline constexpr std::array<std::string_view, 16> unread_picture_endings{
     "psd",  "psb", "gif",   "jp2", "j2k",  "jxl", "avif", "heic",
     "heif", "ktx", "basis", "pvr", "astc", "tx",  "kra",  "xcf"};
 
-/// Whether a file's name has one of these endings.
-inline bool has_picture_ending(std::string_view name) {
-  const std::size_t dot = name.rfind('.');
-  const std::string ending = dot == name.npos ? "" : lower_case(name.substr(dot + 1));
-  return std::ranges::find(picture_endings, ending) != picture_endings.end();
+/// The ending of a path without its dot and in lower case; empty where the file's name has none, or is all ending.
+inline std::string path_ending(std::string_view path) {
+  const std::size_t dot = path.rfind('.'), name = path.rfind('/') + 1;  // npos + 1 is 0
+  return dot == path.npos || dot <= name ? "" : lower_case(path.substr(dot + 1));
+}
+
+inline bool has_picture_ending(std::string_view path) {
+  return std::ranges::find(picture_endings, path_ending(path)) != picture_endings.end();
+}
+inline bool has_unread_picture_ending(std::string_view path) {
+  return std::ranges::find(unread_picture_endings, path_ending(path)) != unread_picture_endings.end();
 }
 
 /// The ending of Radiance files, which etak takes for light of an environment and not for textures.

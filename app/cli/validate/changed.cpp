@@ -128,9 +128,8 @@ void leave_out_stored(const Git& git, const fs::path& folder, Names& names) {
 
 // Whether other files may need this one, as those of a set, of an atlas and of a scene do.
 bool belongs_to_others(const std::string& name) {
-  const std::string ending = lower_case(sys::path_text(fs::path(name).extension()));
-  return ending == ".json" || ending == ".gltf" || ending == ".bin" ||
-         (!ending.empty() && std::ranges::count(picture_endings, std::string_view(ending).substr(1)) > 0);
+  const std::string ending = path_ending(name);
+  return ending == "json" || ending == "gltf" || ending == "bin" || has_picture_ending(name);
 }
 
 // Adds the files beside one that is gone: its other half may be among them.

@@ -47,8 +47,7 @@ PictureHeader picture_header(const std::string& path, const PictureDoor& door) {
   BytesInMemory bytes(header);
   // PngReader tells later what is wrong with a broken PNG.
   if (auto png = png_header(bytes); png && png->strips) return *png;
-  if (const std::string format = picture_format(header, path); format == "dds" || format == "ktx2")
-    return load_picture(path, door).header;
+  if (is_gpu_texture(picture_format(header, path))) return load_picture(path, door).header;
   return door.header(path);
 }
 

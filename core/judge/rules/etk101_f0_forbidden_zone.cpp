@@ -109,12 +109,13 @@ constinit const Rule etk101_f0_forbidden_zone{
                           ") sRGB-encoded twice, within " + number(why.distance, 2) + " codes";
           // Beside ordinary dielectrics it may be a patch instead of a second conversion, and the middle of the scale
           // may be a number that is no F0.
-          const bool middle = is_middle_grey(check.bytes(shown->specular));
+          const bool middle = is_middle_grey(check.bytes(shown->specular)),
+                     patch = ordinary_share(tile) > 0.1;
           if (middle)
             finding.cause +=
                 "; or the middle of the scale of an input that is no F0, as Unreal's Specular (0.5 there is F0 0.04)";
-          if (middle || ordinary_share(tile) > 0.1) finding.cause = "possible cause: " + finding.cause;
-          if (middle || ordinary_share(tile) <= 0.1) finding.message += "; " + finding.cause;
+          if (middle || patch) finding.cause = "possible cause: " + finding.cause;
+          if (middle || !patch) finding.message += "; " + finding.cause;
         }
         if (few && worst.severity > finding.severity)
           finding.message += "; no error, because it is less than " +

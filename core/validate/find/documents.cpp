@@ -7,11 +7,11 @@
 #include "core/base/files/between_files.h"
 #include "core/base/files/input.h"
 #include "core/base/system.h"
+#include "core/image/picture_endings.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/layout_targets.h"
 #include "core/validate/find/file_hints.h"
 #include "core/validate/find/finds.h"
-#include "core/validate/find/kind.h"
 
 namespace etak {
 namespace {
@@ -49,7 +49,7 @@ class Documents {
         ++missing_reported;
       } else if (!failure.empty())
         finds_.fail(candidate.path, failure);
-      else if (!kind && is_unread_picture(candidate.path))
+      else if (!kind && has_unread_picture_ending(candidate.path))
         skip(candidate, "a picture of a format that etak does not read",
              "Save it as PNG, TIFF, OpenEXR, JPEG, Targa, WebP, BMP, DDS or KTX2.");
       else if (!kind)
@@ -83,7 +83,7 @@ class Documents {
  private:
   void skip(const FileCandidate& candidate, const std::string& why, const std::string& fix = {}) {
     if (candidate.named == Named::by_hand) return finds_.fail(candidate.path, why, fix);
-    if (is_unread_picture(candidate.path)) {
+    if (has_unread_picture_ending(candidate.path)) {
       files_.unread.push_back(&candidate);
       ++finds_.found.skipped;
       return finds_.list(finds_.label(candidate.path), "", ListedAs::not_judged, "its format is not read");

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/find/kind.h"
 
-#include <algorithm>
-#include <filesystem>
-
 #include "core/base/files/input.h"
-#include "core/base/system.h"
-#include "core/base/text/ascii.h"
 #include "core/exchange/content_kind.h"
 #include "core/exchange/material_file.h"
 #include "core/image/picture_bytes.h"
@@ -42,33 +37,19 @@ std::optional<FileRole> kind_of_content(std::string_view head) {
   return std::nullopt;
 }
 
-// The ending of a path with its dot, in lower case.
-std::string ending_of(const std::string& path) {
-  return lower_case(sys::path_text(std::filesystem::path(path).extension()));
-}
-
 }  // namespace
 
-bool is_unread_picture(const std::string& path) {
-  const std::string ending = ending_of(path);
-  return !ending.empty() &&
-         std::ranges::count(unread_picture_endings, std::string_view(ending).substr(1)) > 0;
-}
-
 std::optional<FileRole> role_of_file(const std::string& path) {
-  const std::string ending = ending_of(path);
-  const std::string_view bare = std::string_view(ending).substr(ending.empty() ? 0 : 1);
-  if (bare == radiance_ending ||
-      std::find(picture_endings.begin(), picture_endings.end(), bare) != picture_endings.end())
-    return FileRole::specular_gloss;
-  if (ending == ".gltf" || ending == ".glb") return FileRole::scene;
+  const std::string ending = path_ending(path);
+  if (ending == radiance_ending || has_picture_ending(path)) return FileRole::specular_gloss;
+  if (ending == "gltf" || ending == "glb") return FileRole::scene;
   const MaterialFileKind kind = material_file_kind(path);
   if (kind == MaterialFileKind::page || (kind == MaterialFileKind::table && !may_be_prose(path)))
     return FileRole::spectrum;
   const bool pipe = is_pipe_input(path);
-  if (ending != ".json" && !pipe) return std::nullopt;
+  if (ending != "json" && !pipe) return std::nullopt;
   const std::string head = read_head(path, content_head);
-  return ending == ".json" ? kind_of_json(head) : kind_of_content(head);
+  return ending == "json" ? kind_of_json(head) : kind_of_content(head);
 }
 
 }  // namespace etak

@@ -13,7 +13,4 @@ namespace etak {
 /// the caller finds its role by its name.
 std::optional<FileRole> role_of_file(const std::string& path);
 
-/// Whether the ending of a file is that of a picture of a format that etak does not read.
-bool is_unread_picture(const std::string& path);
-
 }  // namespace etak

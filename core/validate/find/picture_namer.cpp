@@ -27,6 +27,7 @@ std::string PictureNamer::label(const std::string& path) {
 }
 
 std::optional<NamedPicture> PictureNamer::named(const std::string& path) {
+  if (config_.roles.empty() && config_.sets.empty()) return picture_named(reader_, path);
   const std::string_view folder = folder_of(path), name = std::string_view(path).substr(folder.size());
   NamedPicture out;
   out.path = path;
