@@ -34,6 +34,9 @@ double fresnel_exact(double n, double k, double c) {
 double f_schlick(double f0_value, double c) {
   return text::f_schlick(f0_value, c);
 }
+double f_f82_tint(double f0_value, double tint, double c) {
+  return text::f_f82_tint(f0_value, tint, c);
+}
 double f0_under(double f0_value, double f82, double n) {
   return text::f0_under(f0_value, f82, n);
 }

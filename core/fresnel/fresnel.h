@@ -15,6 +15,7 @@ double f0(double n, double k);
 double absorptance0(double n, double k);
 double fresnel_exact(double n, double k, double c);
 double f_schlick(double f0_value, double c);
+double f_f82_tint(double f0_value, double tint, double c);
 double f0_under(double f0_value, double f82, double n);
 double f82_under(double f0_value, double f82, double n);
 double f82_mean(double f0_value, double f82);

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/iridescence/fit.h"
+#include "core/material/f0.h"
+#include "core/material/material.h"
+
+namespace etak {
+
+/// The numbers of a form for a stack, and what they miss.
+struct FilmValues {
+  FilmNumbers numbers{};
+  FilmError error;
+};
+
+/// A stack in a form.
+///   honest   what an author types who knows the film, brought into the form's ranges; none: FilmParameters::no_honest
+///   fitted   the numbers that come nearest to what the stack shows
+struct FilmInForm {
+  const FilmForm* form = nullptr;
+  std::optional<FilmValues> honest;
+  FilmValues fitted;
+
+  /// Whether the honest numbers are as good as the fitted ones: they miss at most 0.5 more on the mean.
+  bool use_honest() const;
+  const FilmValues& used() const { return use_honest() ? *honest : fitted; }
+  /// Which numbers to use and why, a sentence.
+  std::string advice() const;
+};
+
+/// What renderers are told of a stack.
+///   no_honest   why no form has honest numbers: several layers, or one that shows no interference; else empty
+///   notes       what no form takes: extinction of the film, a thickness that it does not reach
+struct FilmParameters {
+  FilmBase base = FilmBase::metal;
+  std::string no_honest;
+  std::vector<std::string> notes;
+  std::vector<FilmInForm> forms;  // those asked for that have the base
+  const FilmInForm* in(std::string_view form_id) const;
+};
+
+/// Fits the forms to a stack, one after the other. Throws Error (naming the stack) for an outside medium other than
+/// vacuum or air, because no renderer's film has one, and as SeenStack does.
+FilmParameters film_parameters(const Stack& stack, FilmBase base, const F0Options& options,
+                               std::span<const FilmForm* const> forms);
+
+/// The base that the class of a stack's material tells: dielectric as optical_kind() has it, all others are metals to a
+/// renderer.
+FilmBase film_base(std::string_view material_class);
+
+}  // namespace etak
