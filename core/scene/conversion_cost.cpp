@@ -22,6 +22,10 @@ double unrounded_code(double linear) {
   return 255 * srgb_encode(std::clamp(linear, 0.0, 1.0));
 }
 
+double light_of(double code) {
+  return srgb_decode(std::min(code, 255.0) / 255);
+}
+
 double largest_channel(const Vec3& v) {
   return std::max({v[0], v[1], v[2]});
 }
@@ -158,15 +162,23 @@ double of_partly_metal(const GltfMaterial& m, const MaterialPair& pair, const st
 // F0 of metal comes from base colour, so that vertex colours multiply it; F0 in a texture of its own they do not.
 double of_tinted_metal(const GltfMaterial& m, const Image8& metallic, const MaterialPair& pair,
                        const std::uint8_t* used, const VertexColors& colors) {
+  // Of what textures make of the dielectric's F0 nothing is taken to come from metal less than it is.
+  const bool varies = m.specular_texture || m.specular_color_texture;
   const Vec3 dielectric =
-      dielectric_f0(m.ior, m.specular, {m.specular_color[0], m.specular_color[1], m.specular_color[2]});
+      varies
+          ? Vec3{0, 0, 0}
+          : dielectric_f0(m.ior, m.specular, {m.specular_color[0], m.specular_color[1], m.specular_color[2]});
   double worst = 0;
   for (std::size_t i = 0; i < pair.specular_gloss.pixel_count(); ++i) {
     const double metal = metallic.values[i] / 255.0;
     if (metal == 0 || (used != nullptr && used[i] == 0)) continue;
     for (std::size_t c = 0; c < 3; ++c) {
       const double f0 = double{linear_tables().srgb[pair.specular_gloss.values[4 * i + c]]};
-      const double of_metal = std::max(0.0, f0 - dielectric[c] * (1 - metal));
+      double of_metal = std::max(0.0, f0 - dielectric[c] * (1 - metal));
+      // Diffuse is what base colour is where there is no metal.
+      if (varies && metal < 1)
+        of_metal =
+            std::min(of_metal, light_of(pair.diffuse_alpha.values[4 * i + c] + 0.5) * metal / (1 - metal));
       for (const double factor : {colors.least[c], colors.most[c]})
         worst = std::max(worst, std::abs(unrounded_code(f0) - unrounded_code(f0 - of_metal * (1 - factor))));
     }
@@ -266,15 +278,14 @@ class Compared {
         sampler_(sampler),
         used_(used) {}
 
-  // The largest difference at the centres of the texels of a texture of this size, or so many texels beside them.
+  // The largest difference at the centres of the texels of a texture of this size, or so many texels beside them, and
+  // at the edges where its sampler finds them again: of all places beyond there, some texels of the pair may be read alone.
   double worst(int width, int height, double right = 0, double down = 0,
                std::size_t values = without_light) const {
     double out = 0;
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        const double u = (x + 0.5 + right) / width, v = (y + 0.5 + down) / height;
+    for (const double v : places(height, down, sampler_.wrap_v))
+      for (const double u : places(width, right, sampler_.wrap_u))
         if (is_read(u, v)) out = std::max(out, difference(u, v, values));
-      }
     return out;
   }
 
@@ -288,6 +299,13 @@ class Compared {
   }
 
  private:
+  static std::vector<double> places(int size, double shift, Wrap wrap) {
+    std::vector<double> out;
+    for (int i = 0; i < size; ++i) out.push_back((i + 0.5 + shift) / size);
+    if (wrap != Wrap::repeat) out.insert(out.end(), {0, 1});
+    return out;
+  }
+
   // Whether one of the four texels that are mixed there is in use.
   bool is_read(double u, double v) const {
     if (used_ == nullptr) return true;

@@ -101,7 +101,7 @@ TEST_CASE("what a clamping sampler reads beyond its texture's edge is the edge o
   }
 }
 
-TEST_CASE("a dark metal or dielectric of one colour is the same in metal-rough form") {
+TEST_CASE("a dark metal, dielectric or half of each of one colour is the same in metal-rough form") {
   const auto written = [](const std::string& factors) {
     const TempFolder folder;
     write_square(folder,
@@ -119,6 +119,10 @@ TEST_CASE("a dark metal or dielectric of one colour is the same in metal-rough f
   const GltfMaterial metal = written("");
   CHECK(metal.metallic == Approx(1));
   CHECK(255 * srgb_encode(metal.base_color[0]) == Approx(30).margin(0.6));
+  // Vertex colours multiply them: that both together say the same F0 is not enough.
+  const GltfMaterial half = written(R"("metallicFactor":0.5,)");
+  CHECK(half.metallic == Approx(0.5));
+  CHECK(255 * srgb_encode(half.base_color[1]) == Approx(20).margin(0.01));
   const GltfMaterial paint = written(R"("metallicFactor":0,)");
   CHECK(paint.metallic == 0);
   CHECK(255 * srgb_encode(paint.base_color[1]) == Approx(20).margin(0.6));

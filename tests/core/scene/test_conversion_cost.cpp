@@ -2,6 +2,7 @@
 #include "core/scene/conversion_cost.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "core/color/srgb.h"
 #include "tests/support.h"
@@ -123,6 +124,17 @@ TEST_CASE("F0 of metal that vertex colours would multiply is told by the darkest
   CHECK(subject.cost({}, colors).tinted == 0);
 }
 
+TEST_CASE("a texture that darkens F0 of the dielectric hides nothing of the metal under vertex colours") {
+  Subject subject(4, 4);
+  for (int x = 0; x < 4; ++x) subject.paint(x, 60, 100, 255);
+  subject.m.metallic = 0.5;
+  subject.m.ior = 1.8;
+  subject.m.specular_color_texture = subject.m.base_color_texture;
+  const double base = srgb_decode(60 / 255.0), rest = base * std::pow(0.8 / 2.8, 2) / 2;
+  CHECK(subject.cost({}, {{0.25, 0.25, 0.25}, {1, 1, 1}}).tinted ==
+        Approx(code_of(rest + base / 2) - code_of(rest + base / 8)).margin(0.7));
+}
+
 TEST_CASE("the diffuse light of what is partly metal is told") {
   Subject subject(4, 4);
   for (int x = 0; x < 4; ++x) subject.paint(x, 200, 100, 128);
@@ -142,4 +154,14 @@ TEST_CASE("textures of two sizes: what filtering the smaller one up changes at i
   CHECK(cost.resized == Approx(25).margin(1));
   REQUIRE(sentence_of(cost));
   CHECK(contains(*sentence_of(cost), "its textures of 8 x 2 and 4 x 2"));
+}
+
+TEST_CASE("textures of two sizes: what only places beyond a clamped edge read counts as well") {
+  Subject subject(8, 4);
+  for (int x = 0; x < 8; ++x) subject.paint(x, 180, x % 2 == 0 ? 50 : 150, 0);
+  subject.color = Image8(8, 8, 3, 180);
+  // The last row of eight is read alone; the centres of the smaller texture's rows lie amid other rows.
+  std::vector<std::uint8_t> used(64, 0);
+  std::fill(used.end() - 8, used.end(), std::uint8_t{1});
+  CHECK(subject.cost(used).resized == Approx(25).margin(1));
 }

@@ -218,6 +218,8 @@ void learn(SceneRead& read, std::size_t i, const Decoded& pictures) {
       masked ? texels_read(*entry.use, lead->sampler) : std::vector<std::uint8_t>();
   const std::uint8_t* const used = masked ? read_texels.data() : nullptr;
   look_at(*pair, used, in.facts.opaque, in.facts);
+  if (is_plain_metal_rough(m) && in.facts.range.varying() == 0)
+    entry.own = own_metal_rough(m, images, pair->diffuse_alpha, used);
   if (in.facts.reached) {
     VertexColors colors;
     for (const GltfUse* use : read.uses->of(entry.material)) colors.add(use->colors);

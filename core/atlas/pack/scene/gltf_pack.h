@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/atlas/pack/scene/kept_pictures.h"
+#include "core/atlas/pack/scene/scene_facts.h"
 #include "core/atlas/pack/totals.h"
 #include "core/atlas/sources/sources.h"
 #include "core/atlas/texels/page_memory.h"
@@ -38,8 +39,9 @@ struct SceneRead {
     int material = -1;  // in the document
     std::optional<TexelUse> use;
     std::shared_ptr<const MaterialPair> pair;
-    Image8 metallic;     // for a check that asks for it
-    bool tiles = false;  // on a page of its own
+    Image8 metallic;                   // for a check that asks for it
+    std::optional<OwnMetalRough> own;  // of a material that is one texel, and of plain metal-rough form
+    bool tiles = false;                // on a page of its own
     bool exact = true;   // as diffuse and F0 the material is what it was, but for the rounding of codes
     double clamped = 0;  // percent of the texels whose gloss was brought back to 0..1
     std::vector<std::string> remarks;  // from the thread that learned it

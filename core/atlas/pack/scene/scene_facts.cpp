@@ -68,7 +68,28 @@ void look_at(const PairOf<Value>& pair, const std::uint8_t* used, bool opaque, M
 template void look_at(const MaterialPair&, const std::uint8_t*, bool, MaterialFacts&);
 template void look_at(const FloatPair&, const std::uint8_t*, bool, MaterialFacts&);
 
-bool scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to) {
+OwnMetalRough own_metal_rough(const GltfMaterial& m, const SceneImages<std::uint8_t>& images,
+                              const Image8& pair, const std::uint8_t* used) {
+  std::size_t first = 0;
+  while (used != nullptr && used[first] == 0) ++first;
+  const auto width = static_cast<std::size_t>(pair.width);
+  const int x = static_cast<int>(first % width), y = static_cast<int>(first / width);
+  const auto codes = [&](const std::optional<GltfTexture>& texture) {
+    if (!texture) return std::array<std::uint8_t, 4>{255, 255, 255, 255};
+    const Image8& image = images(texture->image);
+    return four_channels(
+        image.at(texel_under(x, pair.width, image.width), texel_under(y, pair.height, image.height)).data(),
+        static_cast<std::size_t>(image.channels), std::uint8_t{255});
+  };
+  OwnMetalRough out;
+  const auto base = codes(m.base_color_texture);
+  for (std::size_t c = 0; c < 3; ++c) out.base[c] = m.base_color[c] * srgb_decode(base[c] / 255.0);
+  out.metallic = m.metallic * codes(m.metallic_roughness_texture)[2] / 255.0;
+  return out;
+}
+
+bool scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss,
+                     const std::optional<OwnMetalRough>& own, AtlasMaterial& to) {
   if (replaced_textures(m).empty()) {
     DiffuseSpecular ds;
     if (m.specular_glossiness)
@@ -105,9 +126,10 @@ bool scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossFor
   const MetalRough solved = metal_rough_of(texel);
   to.base_color = {solved.base[0], solved.base[1], solved.base[2], to.diffuse[3]};
   to.metallic = solved.metallic;
-  // A material of factors alone has them still.
-  if (replaced_textures(m).empty() && is_plain_metal_rough(m))
-    to.base_color = m.base_color, to.metallic = m.metallic;
+  if (own) {
+    std::copy(own->base.begin(), own->base.end(), to.base_color.begin());
+    to.metallic = own->metallic;
+  }
   const DiffuseSpecular back = diffuse_specular({to.base_color[0], to.base_color[1], to.base_color[2]},
                                                 to.metallic, {0.04, 0.04, 0.04});
   const auto agree = [](double a, double b) { return std::abs(srgb_encode(a) - srgb_encode(b)) * 255 < 0.6; };
