@@ -43,7 +43,7 @@ LeaveOut left_out_of(const PackSource& source, const PackOptions& options, const
   what.outlines = way.outlines;
   if (way.whole) what.keep.insert("crop");
   what.levels = levels_sampled(options, source);
-  what.gutter = options.layout.gutter;
+  what.gutter = way.gutter;
   // What materials share, and which are numbers, was left out before.
   if (source.one_page) what.keep.insert({"equal", "alpha", "constant", "grey"});
   return leave_out(facts, what);
@@ -129,8 +129,8 @@ Region stored(Region region, const Resolution& resolution) {
   return region;
 }
 
-PlanOptions plan_options(const PackOptions& options, const PackSource& source,
-                         const std::vector<Region>& regions) {
+PlanOptions plan_options(const PackOptions& options, const PackSource& source, const PackDecision& way) {
+  const std::vector<Region>& regions = way.regions;
   PlanOptions out;
   out.rects.form = options.layout.form.value_or(PageForm::mixed);
   out.rects.multiple = options.layout.multiple;
@@ -141,7 +141,8 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source,
   out.rects.max_seconds = options.layout.max_seconds;
   out.rects.threads = options.run.threads;
   out.levels = levels_sampled(options, source);
-  out.gutter = options.layout.gutter;
+  // A region by itself takes a page of just its size, without gutters, unless they were asked for.
+  out.gutter = regions.size() == 1 ? options.layout.gutter : way.gutter;
   out.split_textures = !options.leave_out.keep.contains("textures") && !source.one_page;
   out.most_extra_area = options.layout.most_extra_area;
   if (source.scene) {
@@ -218,9 +219,16 @@ void teach_same_sources(PackInputs& inputs) {
 
 enum class Way { outlines, islands, crops, whole };
 
+// Viewers make the mips of pages that hold none, of whole pages.
+std::optional<int> gutter_of(const PackOptions& options, const PackSource& source) {
+  const bool by_viewers = levels_asked(options, source.inputs) == 1 && levels_sampled(options, source) > 1;
+  return options.layout.gutter || !by_viewers ? options.layout.gutter : options.layout.viewers_gutter;
+}
+
 PackDecision decided(Way way, const PackOptions& options, const PackSource& source,
                      const AtlasLayout* previous, FoundResolutions& found) {
   PackDecision out;
+  out.gutter = gutter_of(options, source);
   out.outlines = way == Way::outlines;
   out.islands = out.outlines || way == Way::islands;
   out.whole = way == Way::whole;
@@ -232,7 +240,7 @@ PackDecision decided(Way way, const PackOptions& options, const PackSource& sour
   }
   std::vector<std::string> names;
   for (const PackInput& m : source.inputs.materials) names.push_back(m.name);
-  PlanOptions plan = plan_options(options, source, out.regions);
+  PlanOptions plan = plan_options(options, source, out);
   try {
     out.plan = plan_pages(out.regions, names, plan, previous);
   } catch (const Error&) {
@@ -288,7 +296,8 @@ bool weighs_files(const PackOptions& options, const PackSource& source) {
 std::vector<PackDecision> decide(const PackOptions& options, const PackSource& source,
                                  const AtlasLayout* previous, FoundResolutions& found) {
   std::vector<PackDecision> out;
-  if (options.leave_out.islands) out.push_back(decided(Way::islands, options, source, previous, found));
+  if (options.leave_out.islands && source.scene)
+    out.push_back(decided(Way::islands, options, source, previous, found));
   if (may_outline(options, source, previous)) try {
       PackDecision outlines = decided(Way::outlines, options, source, previous, found);
       if (outlines.plan.page_texels() < out[0].plan.page_texels()) out[0] = std::move(outlines);

@@ -39,6 +39,7 @@ struct PackDecision {
   bool islands = false;                 // texels between islands are left out; see decide()
   bool outlines = false;                // of islands: each keeps its own texels alone
   bool whole = false;                   // each picture lies whole on a page of its own; see decide()
+  std::optional<int> gutter;            // texels around each region; none: from the mips
   LeaveOut left_out;                    // its fates: by material
   PlacedRegions needed;                 // the texels that are not left out, where the plan puts them
   std::vector<Region> regions;          // the same with outlines in pieces (outline_pieces.h)
@@ -47,6 +48,7 @@ struct PackDecision {
   std::vector<PageLevels> levels;       // by page
   // By Others; none where files are not weighed.
   std::optional<std::array<PictureSizes, 2>> sizes;
+  std::vector<GoalCost> other_goals;  // the same; see other_goals()
 };
 
 /// What becomes of a scene's materials that are not of plain metal-rough form.

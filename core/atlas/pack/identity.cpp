@@ -14,13 +14,17 @@
 
 namespace etak {
 
-std::string settings_hash(const PackOptions& options, const PackInputs& inputs) {
+std::string settings_hash(const PackOptions& options, const PackSource& source) {
+  const PackInputs& inputs = source.inputs;
+  const PackOutputOptions& output = options.output;
+  const bool scene = source.scene != nullptr, one_page = output.goal == PackGoal::one_page;
   ContentHash hash;
   std::string text = options.run.version + '|' + inputs.settings + '|' + options.check.settings + '|';
   for (const std::string& each : options.leave_out.keep) text += each + ',';
   for (const std::string& each : options.output.write.formats) text += each + ',';
-  if (options.output.smallest_form) text += "smallest,";
-  for (const GltfForm form : options.output.forms) text += std::to_string(static_cast<int>(form)) + ',';
+  // What is asked of scenes alone changes nothing of others.
+  if (output.smallest_form && scene) text += "smallest,";
+  for (const GltfForm form : output.forms) text += std::to_string(static_cast<int>(form)) + ',';
   const auto number = [&](auto value) {
     if constexpr (std::is_floating_point_v<decltype(value)>)
       append_number(text, value, 17);
@@ -32,14 +36,15 @@ std::string settings_hash(const PackOptions& options, const PackInputs& inputs) 
   number(options.layout.form ? static_cast<int>(*options.layout.form) : -1);
   const auto& level = options.output.write.png_level;
   number(level ? static_cast<int>(*level) : -1);
-  number(static_cast<int>(options.output.goal));
+  number(static_cast<int>(scene || one_page ? output.goal : PackGoal::gpu));
   number(options.output.write.zstd_level);
   number(options.layout.page);
   number(options.layout.multiple);
-  number(int{options.layout.rotate} + 2 * int{options.leave_out.islands} + 4 * int{options.output.bleed});
+  number(int{options.layout.rotate} + 2 * int{options.leave_out.islands && scene} + 4 * int{output.bleed});
   number(options.layout.effort);
   number(options.layout.max_seconds);
-  number(options.layout.gutter.value_or(-1));
+  number(options.layout.gutter.value_or(
+      scene && options.layout.viewers_gutter ? -1 - *options.layout.viewers_gutter : -1));
   number(options.layout.mips.value_or(-1));
   number(options.layout.most_extra_area);
   number(options.input.gltf.scene.value_or(-1));

@@ -13,7 +13,7 @@ struct PackOptions;
 // The layout of an atlas holds two hashes, by which an atlas in place is known to be of the same input.
 
 /// Hash of all that decides the result, except for the bytes of the files.
-std::string settings_hash(const PackOptions& options, const PackInputs& inputs);
+std::string settings_hash(const PackOptions& options, const PackSource& source);
 
 /// All files that are read, sorted.
 std::vector<std::string> input_files(const PackOptions& options, const PackSource& source);

@@ -59,11 +59,11 @@ std::optional<PngLevel> png_level(const std::string& text) {
   return text == "small" ? PngLevel::small : text == "smallest" ? PngLevel::smallest : PngLevel::fast;
 }
 
-PackGoal goal(const std::string& text) {
-  return text == "one-page" ? PackGoal::one_page
-         : text == "disk"   ? PackGoal::disk
-         : text == "both"   ? PackGoal::both
-                            : PackGoal::gpu;
+// Of two forms in one file no files are weighed.
+PackGoal goal(const std::string& text, bool one_form) {
+  for (const PackGoal each : {PackGoal::disk, PackGoal::both, PackGoal::one_page})
+    if (text == name(each)) return each;
+  return text == name(PackGoal::within) && one_form ? PackGoal::within : PackGoal::gpu;
 }
 
 // What cannot be asked for beside one page.
@@ -118,6 +118,8 @@ PackLayoutOptions layout_options(const PackSettings& s) {
   out.effort = s.effort;
   out.max_seconds = s.max_seconds;
   if (s.gutter != "auto") out.gutter = whole_setting("gutter", s.gutter, 0, 4096, "auto");
+  // Which keeps islands apart on one mip more.
+  out.viewers_gutter = 2;
   if (s.mips == "all")
     out.mips = 0;
   else if (s.mips != "auto")
@@ -137,7 +139,6 @@ PackOptions pack_options(const PackSettings& s) {
   out.input.gltf.all_scenes = s.all_scenes;
   out.input.gltf.variants = !s.drop_variants;
   out.leave_out.keep = parse_keep(s.keep);
-  out.leave_out.islands = s.islands;
   out.leave_out.max_error = s.max_error;
   out.leave_out.texel_density = s.texel_density;
   out.leave_out.view_height = s.view_height;
@@ -152,8 +153,9 @@ PackOptions pack_options(const PackSettings& s) {
   out.output.write.zstd_level = s.zstd;
   out.output.smallest_form = s.gltf_form == "smallest";
   if (!out.output.smallest_form) out.output.forms = gltf_forms(s.gltf_form);
-  out.output.goal = goal(s.goal);
+  out.output.goal = goal(s.goal, out.output.smallest_form || out.output.forms.size() == 1);
   if (out.output.goal == PackGoal::one_page) refuse_beside_one_page(s);
+  out.leave_out.islands = out.output.goal != PackGoal::one_page && out.leave_out.leaves("islands");
   if (weighs_disk(out.output.goal) && out.output.forms.size() > 1)
     throw Error::at(setting("goal"), s.goal + " beside two forms in one file",
                     "one " + setting("gltf-form") + ", or smallest");

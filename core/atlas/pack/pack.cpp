@@ -51,7 +51,7 @@ void check_unchanged(const Stamps& stamps) {
 std::optional<std::string> content_to_compare(const PackOptions& options, const PackSource& source,
                                               const EarlierAtlas& earlier) {
   if (!options.output.update || !earlier.layout ||
-      earlier.layout->settings_hash != settings_hash(options, source.inputs) || !earlier.is_whole())
+      earlier.layout->settings_hash != settings_hash(options, source) || !earlier.is_whole())
     return std::nullopt;
   return content_hash(options, source);
 }
@@ -113,6 +113,19 @@ std::optional<int> least_clean_levels(const PackingPlan& plan) {
   return out;
 }
 
+// How the texels of a scene lie.
+std::string words_of(const PackDecision& decision) {
+  if (decision.plan.pages.empty()) return "no page";
+  const std::string what = decision.outlines  ? "islands by outline"
+                           : decision.islands ? "islands by their boxes"
+                           : decision.whole   ? "each picture whole on a page of its own"
+                                              : "crops";
+  const auto& places = decision.plan.places;
+  const int least = std::ranges::min_element(places, {}, &PlannedPlace::gutter)->gutter;
+  return what +
+         (least > 0 ? ", gutters of " + std::to_string(least) + (decision.gutter ? "" : " or more") : "");
+}
+
 // Puts what was decided into the result.
 void tell(const PackSource& source, const PackDecision& decision, const std::vector<Learned>& learned,
           const SceneChoice& scene, PackResult& result) {
@@ -137,6 +150,8 @@ void tell(const PackSource& source, const PackDecision& decision, const std::vec
   tell_clamped(source.inputs, learned, result.remarks);
   if (source.scene) add_remarks(*source.scene, scene, result.remarks);
   result.forms = scene.costs;
+  result.way = words_of(decision);
+  result.other_goals = decision.other_goals;
 }
 
 void put_all_in_place(const PackOptions& options, OutputFolder* folder, PackStages& stages,
@@ -207,7 +222,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
 
   stages.timed("table", [&] {
     result.layout = layout_table(options, source, decision);
-    result.layout.settings_hash = made->good ? settings_hash(options, source.inputs) : not_good;
+    result.layout.settings_hash = made->good ? settings_hash(options, source) : not_good;
     result.layout.content_hash = content ? *content : content_hash(options, source);
     check_unchanged(stamps);
   });

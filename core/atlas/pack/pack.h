@@ -81,9 +81,10 @@ struct PackLayoutOptions {
   bool rotate = false;
   int effort = 100;
   double max_seconds = 0;
-  std::optional<int> gutter;  // none: from the mips
-  std::optional<int> mips;    // levels; 0: down to 1 x 1; none: 1, or all where a format holds them
-  std::string previous;       // layout.json of an earlier run; empty: none
+  std::optional<int> gutter;          // none: from the mips
+  std::optional<int> viewers_gutter;  // where none is asked for, of a scene's pages whose mips viewers make
+  std::optional<int> mips;            // levels; 0: down to 1 x 1; none: 1, or all where a format holds them
+  std::string previous;               // layout.json of an earlier run; empty: none
   double most_extra_area = 0.05;
 };
 
@@ -200,7 +201,11 @@ struct PackResult {
   std::optional<PackTotals> totals;  // none where nothing was written
   std::vector<FormCost> forms;       // of a scene
   PackGoal goal = PackGoal::gpu;     // by which they were weighed
-  std::optional<PagesApart> apart;   // of PackGoal::one_page, where there are such pages
+  // Of a scene whose files were weighed: how its texels lie, what is read of it in the end, and what that would
+  // be by other goals.
+  std::string way;
+  std::vector<GoalCost> other_goals;
+  std::optional<PagesApart> apart;  // of PackGoal::one_page, where there are such pages
   std::string validation;  // JSON of the validator's report on the pages; empty: they were not checked
   GlossForm gloss = GlossForm::schueler;
 };

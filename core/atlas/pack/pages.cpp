@@ -106,9 +106,11 @@ PackDecision lightest(const PackOptions& options, PackSource& source, std::vecto
     stages.timed("weighing", [&] {
       ways[i].sizes.emplace();
       weigh_pages(options, source, ways[i], stages);
-      const std::pair weight(choose_pictures(*source.scene, ways[i]).weight, ways[i].plan.page_texels());
+      const std::pair weight(choose_pictures(*source.scene, ways[i], options.output.goal).weight,
+                             ways[i].plan.page_texels());
       if (!least || weight < *least) least = weight, best = i;
     });
+  ways[best].other_goals = other_goals(*source.scene, ways);
   return std::move(ways[best]);
 }
 
@@ -124,7 +126,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, PackSource& sour
     made.folder->limit_mode(strictest_mode(input_files(options, source)));
     refuse_strangers(options, earlier, decision);
   }
-  if (source.scene) made.scene = choose_pictures(*source.scene, decision);
+  if (source.scene) made.scene = choose_pictures(*source.scene, decision, options.output.goal);
   const ComposeOptions compose{options.run.threads, source.inputs.gloss, options.output.bleed};
   Composer composer(materials, regions, plan, compose);
   PagePixels pixels;

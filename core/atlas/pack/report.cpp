@@ -131,15 +131,20 @@ struct FormText {
   const char *name, *remark;
 };
 FormText text_of(GltfForm form) {
-  if (form == GltfForm::specular_ior) return {"specular-ior", "a third texture for roughness"};
+  if (form == GltfForm::specular_ior) return {"specular-ior", "a grey texture for roughness beside the pair"};
   if (form == GltfForm::specular_glossiness) return {"specular-glossiness", "not every viewer reads it"};
   return {"metal-rough", "base colour and metal-rough pages instead of the pair"};
 }
 
 std::string form_json(const FormCost& form) {
-  return "{\"form\": " + json(text_of(form.form).name) + ", \"gpu\": " + json(form.gpu) +
-         (form.disk ? ", \"disk\": " + json(*form.disk) : "") + ", \"exact\": " + json(form.exact) +
-         ", \"written\": " + json(form.written) + "}";
+  return "{\"form\": " + json(text_of(form.form).name) + ", \"textures\": " + json(form.textures) +
+         ", \"gpu\": " + json(form.gpu) + (form.disk ? ", \"disk\": " + json(*form.disk) : "") +
+         ", \"exact\": " + json(form.exact) + ", \"written\": " + json(form.written) + "}";
+}
+
+std::string goal_json(const GoalCost& cost) {
+  return "{\"goal\": " + json(name(cost.goal)) + ", \"form\": " + json(text_of(cost.form).name) +
+         ", \"totals\": " + totals_json(cost.totals) + "}";
 }
 
 // What the scene's textures take in each form that glTF has for them.
@@ -161,9 +166,26 @@ std::string forms_text(const PackResult& r) {
                        : right("not weighed", input.disk > 0 ? 20 : 13);
     out += right(megabytes(each.gpu), 13) + share(each.gpu, input.gpu);
     if (input.gpu > 0) out += " of the input";
-    out += std::string("; ") + text.remark + (each.exact ? "" : "; not exact in this scene") + "\n";
+    out += " in " + std::to_string(each.textures) + (each.textures == 1 ? " texture; " : " textures; ") +
+           text.remark + (each.exact ? "" : "; not exact in this scene") + "\n";
   }
   return out;
+}
+
+// What was chosen for a scene, and what other goals would give.
+std::string choice_text(const PackResult& r) {
+  const auto written = std::ranges::find(r.forms, true, &FormCost::written);
+  if (r.other_goals.empty() || written == r.forms.end() || !r.totals || !r.totals->scene) return "";
+  const TextureTotals input = PackTotals::all(r.totals->input);
+  const auto said = [&](GltfForm form, const TextureTotals& totals) {
+    return std::string(text_of(form).name) + ", " + fixed(percent(totals.gpu, input.gpu), 0) +
+           " % on the GPU, " + fixed(percent(totals.disk, input.disk), 0) + " % on the disk, " +
+           std::to_string(totals.files) + (totals.files == 1 ? " texture" : " textures");
+  };
+  std::string out = "chosen: " + r.way + ": " + said(written->form, *r.totals->scene);
+  for (const GoalCost& each : r.other_goals)
+    out += "; " + setting("goal") + ' ' + name(each.goal) + ": " + said(each.form, each.totals);
+  return out + "; " + setting("goal") + " one-page: one pair for all, without scene.gltf\n";
 }
 
 std::uint64_t pages_gpu(const PackResult& r) {
@@ -228,7 +250,7 @@ std::string report_text(const PackResult& r, bool stages) {
            " stored as " + std::to_string(each.stored_width) + "x" + std::to_string(each.stored_height) +
            ", dE " + number(each.delta_e, 3) + ", " + number(each.seen_delta_e, 3) + " of what is seen\n";
   if (r.totals) out += totals_text(*r.totals);
-  out += forms_text(r) + one_page_text(r);
+  out += forms_text(r) + choice_text(r) + one_page_text(r);
   if (stages)
     for (const PackStage& stage : r.stages)
       out += padded(stage.name, 18) + right(fixed(1000 * stage.seconds, 1), 9) + " ms\n";
@@ -263,6 +285,8 @@ std::string report_json(const PackResult& r, bool stages) {
   };
   if (!r.forms.empty()) {
     members.push_back({"goal", json(name(r.goal))});
+    if (!r.way.empty()) members.push_back({"way", json(r.way)});
+    if (!r.other_goals.empty()) members.push_back({"other_goals", list_json(r.other_goals, goal_json)});
     members.push_back({"forms", list_json(r.forms, form_json)});
   }
   if (r.goal == PackGoal::one_page) {

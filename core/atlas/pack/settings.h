@@ -22,12 +22,12 @@ struct PackSettings {
   // leaving out
   std::vector<std::string> keep;
   std::string choice;
-  bool islands = false;
+  bool islands = false;  // asked for; they are taken of scenes anyhow where nothing stands against it
   std::optional<double> max_error;
   double texel_density = 0;
   int view_height = 0;
   // content
-  std::string pattern, gloss, ocio, gltf_form = "specular-ior", goal = "gpu";
+  std::string pattern, gloss, ocio, gltf_form = "smallest", goal = "auto";
   std::vector<std::string> space_of;
   bool bleed = false, all_scenes = false, drop_variants = false;
   int scene = -1;  // the file's own

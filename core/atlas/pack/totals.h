@@ -39,17 +39,24 @@ struct TextureTotals {
 ///   disk   bytes of the files
 ///   both   the two as shares of what the input takes, added
 ///   one_page   nothing: one pair of textures holds all materials (core/atlas/pack/one_page.h)
-enum class PackGoal { gpu, disk, both, one_page };
+///   within   the two, and more of either than the input takes only where nothing takes less: the GPU counts
+///            first
+enum class PackGoal { gpu, disk, both, one_page, within };
 
-/// "gpu", "disk", "both" or "one-page".
+/// "gpu", "disk", "both", "one-page" or "auto".
 constexpr const char* name(PackGoal goal) {
-  constexpr std::array names{"gpu", "disk", "both", "one-page"};
+  constexpr std::array names{"gpu", "disk", "both", "one-page", "auto"};
   return names[static_cast<std::size_t>(goal)];
+}
+
+/// Whether shares of what the input takes are weighed.
+constexpr bool is_by_shares(PackGoal goal) {
+  return goal == PackGoal::both || goal == PackGoal::within;
 }
 
 /// Whether files are compressed to be weighed.
 constexpr bool weighs_disk(PackGoal goal) {
-  return goal == PackGoal::disk || goal == PackGoal::both;
+  return goal == PackGoal::disk || is_by_shares(goal);
 }
 
 /// What textures weigh: of two ways to write them the lighter one is taken.
@@ -59,8 +66,11 @@ class TextureWeight {
   TextureWeight(PackGoal goal, const TextureTotals& input) : goal_(goal), input_(input) {}
 
   double operator()(const TextureTotals& totals) const {
-    if (goal_ == PackGoal::both) return share(totals.disk, input_.disk) + share(totals.gpu, input_.gpu);
-    return static_cast<double>(goal_ == PackGoal::gpu ? totals.gpu : totals.disk);
+    if (!is_by_shares(goal_)) return static_cast<double>(goal_ == PackGoal::gpu ? totals.gpu : totals.disk);
+    const double disk = share(totals.disk, input_.disk), gpu = share(totals.gpu, input_.gpu);
+    const double beyond =
+        goal_ == PackGoal::both ? 0 : (gpu > 1 ? 1e6 * gpu : 0) + (disk > 1 ? 1e3 * disk : 0);
+    return disk + gpu + beyond;
   }
 
  private:
@@ -99,12 +109,22 @@ struct PackTotals {
 ///   disk      bytes of their files; none where files were not weighed
 ///   exact     the form says what was read, but for the rounding of the pair's codes
 ///   written   it is the one that was asked for, or found to be the smallest
+///   textures  that scene.gltf reads
 struct FormCost {
   GltfForm form = GltfForm::specular_ior;
+  std::size_t textures = 0;
   std::uint64_t gpu = 0;
   std::optional<std::uint64_t> disk;
   bool exact = true, written = false;
   friend bool operator==(const FormCost&, const FormCost&) = default;
+};
+
+/// What scene.gltf would read by a goal, in the form that weighs least by it.
+struct GoalCost {
+  PackGoal goal = PackGoal::gpu;
+  GltfForm form = GltfForm::specular_ior;
+  TextureTotals totals;
+  friend bool operator==(const GoalCost&, const GoalCost&) = default;
 };
 
 /// Counts the textures that were read and those in `folder`, which is not in place yet. Throws Error.

@@ -44,7 +44,7 @@ struct ImagesOfMaterial {
       if (varies(0, 4) && size.has[0]) to.diffuse_alpha_image = texture(Texture::diffuse_alpha);
       if (gloss ? f0 || smooth : f0) to.specular_gloss_image = texture(Texture::specular_gloss);
     }
-    if (smooth && has_form(forms, GltfForm::specular_ior)) to.roughness_image = picture("roughness", 3);
+    if (smooth && has_form(forms, GltfForm::specular_ior)) to.roughness_image = picture("roughness", 1);
     if (plain && (!exact || (maps->base_color && m.base_color_texture)))
       to.base_color_image = picture("base_color", 4);
     if (plain && (!exact || (maps->metal_rough && m.metallic_roughness_texture)))
@@ -59,7 +59,7 @@ struct ImagesOfMaterial {
     if (maps->normal && m.normal_texture) to.normal_image = picture("normal", 3);
     if (maps->emissive && m.emissive_texture) to.emissive_image = picture("emissive", 3);
     if (maps->occlusion && m.occlusion_texture) {
-      const std::string what = occlusion_picture(forms, size.has[1]);
+      const std::string what = occlusion_picture(forms);
       to.occlusion_image = picture(what.c_str(), what == "occlusion" ? 1 : 3);
       images.occluded.insert(scene_picture(page, what));
     }
@@ -105,7 +105,7 @@ AtlasMaterial atlas_material(const SceneRead& s, const SceneMaps& scene_maps, st
   to.material = entry.material;
   const GltfTexture* const lead = leading_texture(m);
   if (lead != nullptr) to.uv_set = lead->uv_set;
-  scene_constants(in.facts, m, s.gloss, to);
+  scene_constants(in.facts, m, s.gloss, entry.own, to);
   if (!fate.texels) return to;
   BoxesOnPage on = boxes_of(in, fate.owner, decision);
   to.islands = std::move(on.boxes);

@@ -255,11 +255,10 @@ SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, 
     };
     // Materials that are solved from the pair need both of the pages anyhow.
     const bool needed = !std::all_of(page.owners.begin(), page.owners.end(), is_exact);
-    const std::string holder =
-        occlusion_picture(forms, decision.plan.pages[static_cast<std::size_t>(p)].has[1]);
+    const std::string holder = occlusion_picture(forms);
     if (holder == "occlusion") {
       page.weigh(holder, {&MaterialMaps::occlusion}, 1);
-    } else if (!has_form(forms, GltfForm::metal_rough) || needed) {
+    } else if (needed) {
       page.weigh_occlusion_in(holder);
     } else {
       page.weigh("base_color", {&MaterialMaps::base_color}, 4);

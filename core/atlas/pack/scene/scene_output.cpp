@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <map>
 
 #include "core/atlas/pack/pack.h"
@@ -24,6 +25,9 @@ constexpr std::array all_forms{GltfForm::specular_ior, GltfForm::specular_glossi
 
 /// By Others: which of the scene's other textures may be placed.
 using MapsOfOthers = std::array<SceneMaps, 2>;
+
+// How textures are weighed for a goal.
+using WeightOf = std::function<TextureWeight(PackGoal)>;
 
 // Images that are written as less than their files, beside the pages.
 std::vector<int> kept_light(const SceneRead& read, const SceneChoice& choice) {
@@ -82,7 +86,7 @@ bool is_exact(const SceneRead& read, GltfForm form, const MapsOfOthers& maps, co
     const GltfMaterial& m = read.material(read.entries[i]);
     AtlasMaterial constants;
     if (!is_plain_metal_rough(m) ||
-        !scene_constants(read.inputs.materials[i].facts, m, read.gloss, constants))
+        !scene_constants(read.inputs.materials[i].facts, m, read.gloss, read.entries[i].own, constants))
       return false;
   }
   return true;
@@ -106,14 +110,21 @@ std::vector<GltfForm> forms_to_weigh(const SceneRead& read, const MapsOfOthers& 
 
 // Those of `maps` that are placed in these forms.
 SceneMaps placed(const SceneRead& read, const MapsOfOthers& maps, const std::vector<GltfForm>& forms,
-                 const PackDecision& decision, const TextureWeight& weight) {
+                 const PackDecision& decision, const WeightOf& weight_of, PackGoal goal) {
   const Others others = others_in(read, forms);
-  SceneMaps out = worthwhile(maps[static_cast<std::size_t>(others)], forms, decision,
-                             {others, weight, [&](int image) { return read.kept_totals(image); }});
+  const auto by = [&](PackGoal of) {
+    return worthwhile(maps[static_cast<std::size_t>(others)], forms, decision,
+                      {others, weight_of(of), [&](int image) { return read.kept_totals(image); }});
+  };
+  std::vector<SceneMaps> ways{by(goal)};
+  // What is lighter page by page may take more than the input in one of the two.
+  if (goal == PackGoal::within) ways.insert(ways.end(), {by(PackGoal::gpu), by(PackGoal::disk)});
   // Pages were judged one by one; a texture that stays for one of them stays for all.
-  SceneMaps none = none_placed(out);
-  const auto weighed = [&](const SceneMaps& of) { return weight(scene_totals(read, forms, of, decision)); };
-  return weighed(none) < weighed(out) ? none : out;
+  ways.push_back(none_placed(ways.front()));
+  std::vector<double> weights;
+  for (const SceneMaps& each : ways)
+    weights.push_back(weight_of(goal)(scene_totals(read, forms, each, decision)));
+  return std::move(ways[static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin())]);
 }
 
 }  // namespace
@@ -136,29 +147,47 @@ void weigh_page(const SceneRead& read, int page, const PagePixels& pixels, PackD
   }
 }
 
-SceneChoice choose_pictures(const SceneRead& read, const PackDecision& decision) {
+SceneChoice choose_pictures(const SceneRead& read, const PackDecision& decision, PackGoal goal) {
   SceneChoice out;
   if (!read.writes_scene()) return out;
   const PackOutputOptions& asked = read.options.output;
   const MapsOfOthers maps = placeable(read, decision);
-  const TextureWeight weight(
-      asked.goal, asked.goal == PackGoal::both ? read.input_totals(read.scene.image_used) : TextureTotals{});
+  const TextureTotals input = is_by_shares(goal) ? read.input_totals(read.scene.image_used) : TextureTotals{};
+  const WeightOf weight_of = [&](PackGoal of) { return TextureWeight(of, input); };
+  const TextureWeight weight = weight_of(goal);
   const std::vector<GltfForm> weighed = forms_to_weigh(read, maps, decision);
   std::optional<std::pair<double, GltfForm>> least;
   for (const GltfForm form : all_forms) {
-    const SceneMaps on_pages = placed(read, maps, {form}, decision, weight);
+    const SceneMaps on_pages = placed(read, maps, {form}, decision, weight_of, goal);
     const TextureTotals totals = scene_totals(read, {form}, on_pages, decision);
     FormCost& cost = out.costs.emplace_back(
-        FormCost{form, totals.gpu, std::nullopt, is_exact(read, form, maps, decision), false});
+        FormCost{form, totals.files, totals.gpu, std::nullopt, is_exact(read, form, maps, decision), false});
     if (!has_form(weighed, form)) continue;
     if (decision.sizes) cost.disk = totals.disk;
     if (!least || weight(totals) < least->first) least = {weight(totals), form};
   }
   out.forms = asked.smallest_form ? std::vector{least->second} : asked.forms;
   for (FormCost& each : out.costs) each.written = has_form(out.forms, each.form);
-  out.maps = placed(read, maps, out.forms, decision, weight);
+  out.maps = placed(read, maps, out.forms, decision, weight_of, goal);
   out.output = scene_output(read, out.maps, out.forms, decision).gltf;
-  out.weight = weight(scene_totals(read, out.forms, out.maps, decision));
+  out.totals = scene_totals(read, out.forms, out.maps, decision);
+  out.weight = weight(out.totals);
+  return out;
+}
+
+std::vector<GoalCost> other_goals(const SceneRead& read, const std::vector<PackDecision>& ways) {
+  std::vector<GoalCost> out;
+  for (const PackGoal goal : {PackGoal::gpu, PackGoal::disk, PackGoal::both}) {
+    if (goal == read.options.output.goal) continue;
+    std::optional<double> least;
+    for (const PackDecision& way : ways) {
+      const SceneChoice choice = choose_pictures(read, way, goal);
+      if (least && choice.weight >= *least) continue;
+      if (!least) out.emplace_back();
+      least = choice.weight;
+      out.back() = {goal, choice.forms.front(), choice.totals};
+    }
+  }
   return out;
 }
 

@@ -18,7 +18,8 @@ struct SceneChoice {
   SceneMaps maps;               // the scene's other textures that lie on the pages
   std::vector<FormCost> costs;  // what the textures that scene.gltf reads would take in each form
   GltfOutput output;            // `taken` is not known yet
-  double weight = 0;            // of what it reads
+  TextureTotals totals;         // of what it reads; files where these were weighed
+  double weight = 0;            // of the same
 };
 
 /// A page that is whole in memory.
@@ -35,7 +36,10 @@ void weigh_page(const SceneRead& read, int page, const PagePixels& pixels, PackD
 
 /// Which of the scene's other textures are placed on the pages, what each form would take, and where the
 /// smallest is asked for, which it is. Before pages are written, of the decision they are written by.
-SceneChoice choose_pictures(const SceneRead& read, const PackDecision& decision);
+SceneChoice choose_pictures(const SceneRead& read, const PackDecision& decision, PackGoal goal);
+
+/// What other goals than the one that was asked for would make of these decisions, whose files were weighed.
+std::vector<GoalCost> other_goals(const SceneRead& read, const std::vector<PackDecision>& ways);
 
 /// Writes the pictures of a page that the scene reads beside the page's two textures; returns their names.
 std::set<std::string> write_page(OutputFolder& folder, const WholePage& page, const SceneRead& read,

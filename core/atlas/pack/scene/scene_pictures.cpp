@@ -118,9 +118,9 @@ struct ScenePictures {
     const auto where_read = [&](const char* what, const auto& picture) {
       if (const std::string name = scene_picture(in.page, what); in.reads(name)) see(name, picture());
     };
-    where_read("roughness", [&] { return roughness_picture(); });
     where_read("metal_rough", [&] { return metal_rough(); });
     if (!occluded) return;
+    where_read("roughness", [&] { return roughness_picture(); });
     where_read("occlusion", [&] { return occlusion_alone(); });
     where_read("base_color", [&] { return base_color(); });
     where_read("normal", [&] { return other(&MaterialMaps::normal, true, {128, 128, 255, 255}); });
@@ -128,12 +128,12 @@ struct ScenePictures {
   }
 
  private:
+  // Grey: beside it the factor of metal is 0, and occlusion lies elsewhere.
   Image8 roughness_picture() const {
-    Image8 out = mapped(in, [&](const std::uint8_t*, const std::uint8_t* sg) {
-      return Texel{255, roughness[sg[3]], 0, 255};
+    return mapped(in, [&](const std::uint8_t*, const std::uint8_t* sg) {
+      const std::uint8_t code = roughness[sg[3]];
+      return Texel{code, code, code, 255};
     });
-    if (occluded) put_maps(in, in.maps.color, occlusion, out);
-    return out;
   }
   Image8 occlusion_alone() const {
     Image8 out = mapped(in, [](const std::uint8_t*, const std::uint8_t*) {
@@ -220,9 +220,8 @@ std::string scene_picture(int page, const std::string& what) {
   return "page" + std::to_string(page) + "_" + what + ".png";
 }
 
-std::string occlusion_picture(const std::vector<GltfForm>& forms, bool specular_gloss) {
-  if (has_form(forms, GltfForm::metal_rough)) return "metal_rough";
-  return has_form(forms, GltfForm::specular_ior) && specular_gloss ? "roughness" : "occlusion";
+std::string occlusion_picture(const std::vector<GltfForm>& forms) {
+  return has_form(forms, GltfForm::metal_rough) ? "metal_rough" : "occlusion";
 }
 
 void add_scene_picture_sizes(const ScenePictureInput& in, const WriteOptions& options, PictureSizes& sizes) {

@@ -19,9 +19,9 @@ namespace etak {
 ///   what   "roughness", "base_color", "metal_rough", "occlusion", "normal" or "emissive"
 std::string scene_picture(int page, const std::string& what);
 
-/// Which picture of a page holds occlusion in its red channel: one that is there anyhow, else one of its own.
-///   specular_gloss   whether the page has texture B
-std::string occlusion_picture(const std::vector<GltfForm>& forms, bool specular_gloss);
+/// Which picture of a page holds occlusion in its red channel: that of metal and roughness, else one of its own. Beside
+/// roughness alone it would make three channels of two.
+std::string occlusion_picture(const std::vector<GltfForm>& forms);
 
 /// A page, and what the scene's pictures of it are made of.
 struct ScenePictureInput {
