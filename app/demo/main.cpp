@@ -16,7 +16,9 @@
 #include "app/demo/parts.h"
 #include "core/base/files/file.h"
 #include "core/base/parallel.h"
+#include "core/image/files/png.h"
 #include "core/material/quality.h"
+#include "core/study/film_ways.h"
 
 namespace {
 
@@ -43,6 +45,10 @@ void write_start_page(const std::string& folder) {
   data.library = reports;
   data.library_page = "f0.html";
   etak::demo::add_spheres(library, threads, data);
+  data.films = etak::film_strips(
+      "Titania on titanium",
+      etak::film_ways(library, etak::thicker_films("anatase", "titanium", 40), threads),
+      [](const etak::Pixels<std::uint8_t>& picture) { return etak::png_bytes(picture, {.srgb = true}); });
   etak::demo::add_scene(threads, data);
   if (const std::string figures = etak::demo::figures_page(); !figures.empty())
     etak::write_file("sources.html", figures, true);

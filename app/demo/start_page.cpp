@@ -9,6 +9,7 @@
 #include "core/base/number.h"
 #include "core/base/text/text.h"
 #include "core/findings/output/formats.h"
+#include "core/pages/error_time_report.h"
 #include "core/pages/f0/page_parts.h"
 #include "core/pages/page_style.h"
 
@@ -34,7 +35,7 @@ void append_start_head(std::string& out, const StartPageData& data) {
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\"><title>etak: measured optics into materials</title>\n"
       "<style>",
-      page_css, start_css, "</style></head>\n<body>\n<header><h1>etak</h1>\n<p class=\"lead\">",
+      page_css, start_css, strips_css(), "</style></head>\n<body>\n<header><h1>etak</h1>\n<p class=\"lead\">",
       "From η and k, the complex index of refraction: etak turns measured optics into materials a renderer can trust, says what every shortcut costs in colour, packs the result and finds what cannot be real.</p>\n<ul class=\"facts\">");
   append(out, "<li><b>", std::to_string(data.library.size() - surfaces),
          "</b> materials with an F0</li><li><b>", std::to_string(surfaces),
@@ -97,6 +98,15 @@ void append_chart(std::string& out, const StartPageData& data) {
            number(point.ns, 3), "</td><td class=\"num\">", fixed(point.mean_de, 2), "</td><td class=\"num\">",
            fixed(point.least_de, 2), "</td><td class=\"num\">", fixed(point.most_de, 2), "</td></tr>\n");
   out += "</tbody></table></div></div></section>\n";
+}
+
+void append_films(std::string& out, const StartPageData& data) {
+  if (data.films.ways.empty()) return;
+  append(
+      out,
+      "<section id=\"films\"><h2>An oxide, as renderers are told of it</h2>\n<p>Titanium under titania of growing thickness, from every angle. With the index and thickness as they are measured, glTF's and OpenPBR's films "
+      "show other colours; with numbers that etak fits to the exact stack the same fields show nearly the true ones. Below each name the mean colour difference, CIEDE2000.</p>\n",
+      strips_html(data.films), "</section>\n");
 }
 
 void append_textures(std::string& out, std::string_view title, const std::vector<StartPicture>& pictures) {
@@ -163,6 +173,7 @@ std::string start_page(const StartPageData& data) {
   append_wall(out, data);
   append_zone(out, data);
   append_chart(out, data);
+  append_films(out, data);
   append_atlas(out, data);
   append_start_findings(out, data);
   append_cards(out, data);

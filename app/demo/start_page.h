@@ -9,6 +9,7 @@
 
 #include "core/judge/finding.h"
 #include "core/pages/f0/report.h"
+#include "core/study/error_time.h"
 
 namespace etak {
 
@@ -56,6 +57,7 @@ struct StartCard {
 };
 
 struct StartPageData {
+  ErrorTimeStrips films;  // what renderers show of an oxide; no ways: none
   std::vector<StartMaterial> materials;
   std::span<const MaterialReport> library;
   std::string library_page;  // address of the F0 page, which the dots of the zone plot lead to

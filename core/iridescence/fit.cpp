@@ -204,15 +204,19 @@ FilmTruth film_truth(const std::function<Vec3(double)>& seen) {
   return out;
 }
 
-FilmError film_error(const FilmForm& form, const FilmNumbers& numbers, const FilmTruth& truth) {
+FilmError film_error(const std::function<Vec3(double)>& seen, const FilmTruth& truth) {
   FilmError out;
   for (std::size_t i = 0; i < truth.cosines.size(); ++i) {
-    const double off = delta_e2000(lab_of(form.seen(numbers, truth.cosines[i])), truth.seen[i]);
+    const double off = delta_e2000(lab_of(seen(truth.cosines[i])), truth.seen[i]);
     if (i == 0) out.normal = off;
     out.mean += truth.weights[i] * off;
     out.largest = std::max(out.largest, off);
   }
   return out;
+}
+
+FilmError film_error(const FilmForm& form, const FilmNumbers& numbers, const FilmTruth& truth) {
+  return film_error([&](double cosine) { return form.seen(numbers, cosine); }, truth);
 }
 
 FilmNumbers in_range(const FilmForm& form, FilmNumbers numbers) {

@@ -19,11 +19,12 @@ struct FilmTruth {
 };
 FilmTruth film_truth(const std::function<Vec3(double cosine)>& seen);
 
-/// dE2000 between a form and the truth, both cut to [0, 1].
+/// dE2000 between what a form (or any F) shows and the truth, both cut to [0, 1].
 struct FilmError {
   double mean = 0, largest = 0, normal = 0;
   friend bool operator==(const FilmError&, const FilmError&) = default;
 };
+FilmError film_error(const std::function<Vec3(double cosine)>& seen, const FilmTruth& truth);
 FilmError film_error(const FilmForm& form, const FilmNumbers& numbers, const FilmTruth& truth);
 
 /// The numbers brought into the ranges of the form.

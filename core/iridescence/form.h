@@ -31,7 +31,7 @@ using FilmNumbers = std::array<double, most_film_numbers>;
 ///   base_n, base_k      of the base, for red, green and blue
 ///   film_n              of the film at 550 nm
 struct FilmFacts {
-  LinearRgb base_f0, base_f82, whole_f0, whole_f82;
+  LinearRgb base_f0 = {}, base_f82 = {}, whole_f0 = {}, whole_f82 = {};
   Vec3 base_n{1, 1, 1}, base_k{};
   double film_n = 1, thickness_nm = 0;
 };

@@ -11,8 +11,9 @@ namespace etak {
 namespace {
 
 // All but method and space.
-F0Options on_grid(const F0Options& options) {
+F0Options on_grid(const F0Options& options, Method sum) {
   F0Options out;
+  out.method = sum;
   out.viewing = options.viewing;
   out.interpolation = options.interpolation;
   out.outside = options.outside;
@@ -30,8 +31,8 @@ struct SeenStack::State {
   FilmSpectra film;  // views into both
 };
 
-SeenStack::SeenStack(const Stack& stack, const F0Options& options)
-    : state_(std::make_unique<State>(State{f0_setup(on_grid(options)), {}, {}})) {
+SeenStack::SeenStack(const Stack& stack, const F0Options& options, Method sum)
+    : state_(std::make_unique<State>(State{f0_setup(on_grid(options, sum)), {}, {}})) {
   const Quadrature& q = state_->setup.quadrature;
   if (const std::string why = stack_spectra(state_->setup, stack, q, state_->spectra); !why.empty())
     throw Error::at(printable(stack.text, 80), why);

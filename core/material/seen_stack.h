@@ -9,12 +9,13 @@
 
 namespace etak {
 
-/// The exact F of a stack over the angle of incidence, as it is seen: F of every nanometre, summed to linear sRGB.
+/// The exact F of a stack over the angle of incidence, as it is seen: F of every wavelength, summed to linear sRGB.
 class SeenStack {
  public:
   /// Throws Error (naming the stack) for media without n, and as F0Solver does.
   ///   options   all are used but space and method
-  explicit SeenStack(const Stack& stack, const F0Options& options = {});
+  ///   sum       nm1, nm5, nm10 or nm20: the wavelengths that are summed
+  explicit SeenStack(const Stack& stack, const F0Options& options = {}, Method sum = Method::nm1);
   ~SeenStack();
   SeenStack(SeenStack&&) noexcept;
 

@@ -242,6 +242,7 @@ void append_family(std::string& out, const ErrorTimeFamily& family) {
   append(out, "<p class=\"advice\">", escape_html(family.advice), "</p>");
   append(out, "<p class=\"about\">Error against: ", escape_html(family.reference),
          ". Over: ", escape_html(family.grid), ".</p>");
+  for (const ErrorTimeStrips& strips : family.strips) out += strips_html(strips);
   append_figures(out, family);
   out += "<div class=\"tables\">";
   for (const ErrorTimeTable& table : family.tables) {
@@ -261,7 +262,7 @@ std::string error_time_page(const ReportHeader& header, std::span<const ErrorTim
   std::string out =
       "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\"><title>etak: error against run time</title><style>";
-  append(out, page_css, report_css, error_time_plot_css(),
+  append(out, page_css, report_css, strips_css(), error_time_plot_css(),
          "</style></head><body><header><h1>Error against run time</h1>");
   append(out,
          "<p class=\"lead\">Every shortcut etak knows, how far it is from the truth and what it saves.</p>");

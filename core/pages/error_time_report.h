@@ -26,6 +26,9 @@ std::string_view error_time_plot_css();
 /// The same plot as a file that needs no page: with its colours, a light background and the names of all
 /// numbers. Empty where no row was timed.
 std::string error_time_svg_file(const ErrorTimeFamily& family, const ErrorTimeTable& table);
+/// Strips of a family as an HTML figure, and its CSS rules.
+std::string strips_html(const ErrorTimeStrips& strips);
+std::string_view strips_css();
 /// All families as one HTML page, with plots and tables.
 ///   stability   table of the stiff and extreme cases from stability_html(); empty: none
 std::string error_time_page(const ReportHeader& header, std::span<const ErrorTimeFamily> families,

@@ -100,6 +100,16 @@ struct TimedSet {
   bool starts_threads = false;  // the cases work on several threads: their time is that of the wall clock
 };
 
+/// Pictures of one size below each other, as a figure of a family: what each way makes of the same.
+struct ErrorTimeStrips {
+  struct Row {
+    std::string title, note;  // note: its error, in words
+    std::string png;
+  };
+  std::string title, columns, rows;  // what changes from left to right, and downwards in each
+  std::vector<Row> ways;
+};
+
 /// The tables of a family, and the texts around them in the report.
 struct ErrorTimeFamily {
   std::string id;      // "fresnel": the name of --family
@@ -111,6 +121,7 @@ struct ErrorTimeFamily {
   std::vector<ErrorTimePick> picks;
   std::vector<ErrorTimeTable> tables;
   std::vector<std::string> notes;
+  std::vector<ErrorTimeStrips> strips = {};
   std::vector<TimedSet> timed = {};  // what time_families() has to time; empty once it has
 };
 

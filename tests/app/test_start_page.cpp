@@ -34,6 +34,10 @@ std::string page_of_samples() {
        {{"Unreal", "Base Color: (R=1)"}, {"Hex", "#ffe49c"}}}};
   data.points = {{"Schlick", 0.4, 1, 0.1, 4}, {"exact <n, k>", 10, 0.01, 0.001, 0.1}};
   data.costs = "some machine";
+  data.films = {"Titania <on> titanium",
+                "thickness",
+                "angle",
+                {{"The truth", "", "png 6"}, {"glTF, honest", "\u0394E 26.5", "png 7"}}};
   data.before = {{"png 4", "wall.png", 512, 256}};
   data.after = {{"png 5", "page0", 256, 256}};
   data.texels_before = 262144;
@@ -57,6 +61,8 @@ TEST_CASE("the start page shows spheres with their errors, values to copy, texel
   CHECK(contains(page, "<a href=\"f0.html\">"));
   CHECK(contains(page, "<a href=\"f0.html#m-testium\">"));  // of the zone plot
   CHECK(contains(page, "prefers-color-scheme: dark"));
+  CHECK(contains(page, "<figcaption>Titania &lt;on&gt; titanium</figcaption>"));
+  CHECK(contains(page, "<span>glTF, honest<b>\u0394E 26.5</b></span>"));
 }
 
 TEST_CASE("F82 is said to keep the colour of metals, and what an eye can tell has its citation") {

@@ -398,3 +398,32 @@ TEST_CASE("sparse tables: fewer rows are worse, pchip is better, Johnson and Chr
   CHECK(error(johnson, "linear_r", "codes_changed") == 0);
   CHECK(error(johnson, "pchip_nk", "max_df0") == Approx(3.9e-3).margin(1e-4));
 }
+
+TEST_CASE(
+    "films: honest numbers are worse than no film on titanium, fitted ones are near the truth, curves nearer") {
+  const ErrorTimeFamily family = film_family(quick());
+  check_form(family);
+  check_same_again(family, film_family);
+  const ErrorTimeTable& titanium = family.tables[1];
+  CHECK(titanium.id == "titanium");
+  for (const ErrorTimeTable& table : family.tables) {
+    CHECK(error(table, "exact", "max_de") == 0);
+    CHECK(error(table, "sum_5nm", "mean_de") < 0.1);
+    CHECK(error(table, "curve", "mean_de") < 0.1);
+    for (const char* form : {"gltf", "openpbr-metal", "conductor_bsdf", "f82"}) {
+      const std::string id(form);
+      CHECK(error(table, id + "_fitted", "mean_de") < error(table, id + "_honest", "mean_de"));
+    }
+    CHECK(error(table, "gltf_fitted", "mean_de") < 3);
+    CHECK(error(table, "openpbr-metal_fitted", "mean_de") < 2);
+  }
+  CHECK(error(titanium, "gltf_honest", "mean_de") > error(titanium, "bare", "mean_de"));
+  CHECK(error(titanium, "openpbr-metal_honest", "mean_de") > 0.9 * error(titanium, "bare", "mean_de"));
+  // One film of nearly no loss on a base of little: the form was made for that.
+  CHECK(error(family.tables[3], "gltf_honest", "mean_de") < 6);
+  CHECK(family.strips.size() == 3);
+  for (const ErrorTimeStrips& strips : family.strips) {
+    REQUIRE(strips.ways.size() == 5);
+    for (const ErrorTimeStrips::Row& row : strips.ways) CHECK(row.png.starts_with("\x89PNG"));
+  }
+}
