@@ -102,11 +102,13 @@ struct TimedSet {
 
 /// Pictures of one size below each other, as a figure of a family: what each way makes of the same.
 struct ErrorTimeStrips {
+  /// What one way makes of it.
+  ///   note   its error, in words
+  ///   png    the picture, a PNG file
   struct Row {
-    std::string title, note;  // note: its error, in words
-    std::string png;
+    std::string title, note, png;
   };
-  std::string title, columns, rows;  // what changes from left to right, and downwards in each
+  std::string title, columns, rows;  // columns, rows: what changes from left to right, and downwards in each
   std::vector<Row> ways;
 };
 
