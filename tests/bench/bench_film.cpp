@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Speed of exact films over a spectrum, beside a plain loop over std::complex.
-//   bench_film [SECONDS]   default 2, for each row
+//   bench_film [SECONDS [PYTHON]]   default 2, for each row; with a Python that has numpy (and colour-science, where that
+//                                   is to be had), theirs in the same run (film_numpy.py)
 // One film on an absorbing base, 471 wavelengths, normal incidence (and cos 0.5), on one thread and on two. Prints films
 // a second, how many times the plain loop that is, and the largest difference between the two.
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cstdlib>
 #include <functional>
 #include <numbers>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -87,6 +89,17 @@ double speed(Way way, const Spectra& of, double cosine, unsigned threads, double
   return static_cast<double>(done) / passed();
 }
 
+// The same films by numpy, in a process of its own.
+void by_numpy(const Spectra& of, const std::string& python, double seconds) {
+  std::fflush(stdout);
+  const std::string command = "'" + python + "' '" BENCH_SOURCES "/film_numpy.py' " + std::to_string(seconds);
+  std::FILE* const pipe = popen(command.c_str(), "w");
+  if (pipe == nullptr) return std::perror("film_numpy.py");
+  for (std::size_t i = 0; i < wavelengths; ++i)
+    std::fprintf(pipe, "%.17g %.17g %.17g %.17g\n", of.nm[i], of.n1[i], of.n[i], of.k[i]);
+  if (pclose(pipe) != 0) std::fprintf(stderr, "film_numpy.py has failed\n");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -111,4 +124,5 @@ int main(int argc, char** argv) {
       std::printf("%-4g %7u %8.0f  %8.0f  %6.2f  %.1e\n", cosine, threads, fast, slow, fast / slow, most);
     }
   }
+  if (argc > 2) by_numpy(spectra, argv[2], seconds);
 }
