@@ -59,6 +59,8 @@ F0Settings f0_settings(const Keywords& given) {
   out.ocio = given.text("ocio");
   out.outside = given.text("outside");
   out.allow_extrapolation = given.yes("allow_extrapolation");
+  out.aperture = given.text("aperture");
+  out.scatter = given.text("scatter");
   return out;
 }
 
@@ -102,17 +104,26 @@ struct F0Answer {
 
 // A solver, kept alive together with the caller's tables that it reads.
 std::shared_ptr<const F0Solver> solver_of(const F0Settings& settings, const Library& library) {
-  const auto both =
-      std::make_shared<std::pair<F0Settings, F0Solver>>(settings, F0Solver(options_of(settings, library)));
+  F0Options options = options_of(settings, library);
+  options.mean = !options.instrument.any();
+  const auto both = std::make_shared<std::pair<F0Settings, F0Solver>>(settings, F0Solver(std::move(options)));
   return {both, &both->second};
 }
 
-F0Answer answer(const AskedMaterial& asked, bool axis_average, const std::shared_ptr<const F0Solver>& solver,
-                const TableSettings& tables, const Library& library) {
+// What is asked of each material.
+struct F0Call {
+  std::shared_ptr<const F0Solver> solver;
+  TableSettings tables;
+  bool axis_average = false;
+  std::optional<Coat> coat;
+};
+
+F0Answer answer(const AskedMaterial& asked, const F0Call& call, const Library& library) {
   F0Answer out;
-  out.solver = solver;
+  out.solver = call.solver;
   const MaterialInput input = find_one(asked, library);
-  const F0Job job{*out.solver, table_options(tables), axis_average, true, false};
+  F0Job job{*out.solver, table_options(call.tables), call.axis_average, true, false};
+  job.coat = call.coat;
   F0Worker worker;
   F0Outcome outcome = worker.answer(input, job);
   if (outcome.row.result.refused())
@@ -184,11 +195,13 @@ py::list answers(const std::vector<py::object>& materials, const std::string& da
                  const py::dict& given, const Library& library, int threads) {
   const std::vector<AskedMaterial> asked = asked_materials(materials, dataset);
   const F0Settings settings = f0_settings({given});
-  const TableSettings tables = table_settings({given});
+  F0Call call{nullptr, table_settings({given}), axis_average, {}};
+  const std::string coat = Keywords{given}.text("coat");
   LongWork work;
   std::vector<std::size_t> first;  // that asks the same
   const auto made = work.unlocked([&] {
-    const auto solver = solver_of(settings, library);
+    call.solver = solver_of(settings, library);
+    call.coat = coat_option(coat, library.when_asked(), call.solver->options(), axis_average);
     std::vector<std::shared_ptr<F0Answer>> out(asked.size());
     std::map<std::pair<std::string, const Material*>, std::size_t> places;
     for (const AskedMaterial& each : asked) {
@@ -197,8 +210,7 @@ py::list answers(const std::vector<py::object>& materials, const std::string& da
     }
     parallel_chunks(asked.size(), threads_of(threads), 1, [&](std::size_t i, std::size_t, unsigned) {
       work.go_on();
-      if (first[i] == i)
-        out[i] = std::make_shared<F0Answer>(answer(asked[i], axis_average, solver, tables, library));
+      if (first[i] == i) out[i] = std::make_shared<F0Answer>(answer(asked[i], call, library));
     });
     return out;
   });
@@ -240,14 +252,32 @@ std::optional<std::string> zone_of(const F0Answer& answer) {
   return zone ? std::optional<std::string>(name(*zone)) : std::nullopt;
 }
 
+// A colour as a tuple.
+py::tuple tuple_of(const LinearRgb& c) {
+  return py::make_tuple(c.r, c.g, c.b);
+}
+
 std::optional<py::dict> clear_of(const F0Answer& answer) {
   const std::optional<ClearBody>& body = answer.row.clear;
   if (!body) return std::nullopt;
   py::dict out;
   out["n_d"] = body->n_d;
   out["v_d"] = body->v_d;
-  out["color"] = py::make_tuple(body->color.r, body->color.g, body->color.b);
+  out["color"] = tuple_of(body->color);
   out["depth_m"] = body->depth_m;
+  return out;
+}
+
+std::optional<py::dict> coat_of(const F0Answer& answer) {
+  const std::optional<CoatedF0>& coat = answer.row.coat;
+  if (!coat) return std::nullopt;
+  py::dict out;
+  out["n"] = coat->n;
+  out["f0_under"] = tuple_of(coat->under.linear);
+  out["f82_under"] = tuple_of(coat->under.f82.value());
+  out["f0"] = tuple_of(coat->whole.linear);
+  out["f82"] = tuple_of(coat->whole.f82.value());
+  out["energy_left"] = tuple_of(coat->energy_left.linear);
   return out;
 }
 
@@ -304,6 +334,17 @@ void add_color(const auto& get) {
   get("f82", "Reflectance at cos 1/7, in `space`; None for reflectance data.", color_of(&F0Result::f82));
   get("f82_tint", "f82 divided by Schlick's form there; None for reflectance data.",
       color_of(&F0Result::f82_tint));
+  get("mean",
+      "Mean of F over a diffuse hemisphere, in `space`; None for reflectance data and through an instrument.",
+      color_of(&F0Result::mean));
+  get("f82_mean", "The same of F82's curve through rgb and f82, in closed form; None without f82.",
+      [](const F0Answer& a) {
+        const auto mean = mean_of_f82(a.result());
+        return mean ? std::optional(array_of_rgb(*mean)) : std::nullopt;
+      });
+  get("coat",
+      "Of a coat: its n, and in `space` f0_under and f82_under of the base under it, f0 and f82 of the whole, and energy_left, the share that gets out; None without a coat.",
+      &coat_of);
   get("zone",
       "Luminance against the forbidden zone, 0.20 to 0.45: \"below\", \"inside\", \"above\"; None for surfaces.",
       &zone_of);

@@ -39,17 +39,21 @@ void members(To& to, S& s) {
 }
 template <class To, Like<F0Result> S>
 void members(To& to, S& s) {
-  all_members(to, s.xyz, s.linear, s.srgb_linear, s.srgb8, s.luminance, s.f82, s.f82_tint, s.zone,
+  all_members(to, s.xyz, s.linear, s.srgb_linear, s.srgb8, s.luminance, s.f82, s.f82_tint, s.mean, s.zone,
               s.channel_in_zone, s.gamut_excess, s.coverage, s.flags, s.integration, s.refusal);
 }
 template <class To, Like<ClearBody> S>
 void members(To& to, S& s) {
   all_members(to, s.color, s.depth_m, s.n_d, s.v_d);
 }
+template <class To, Like<CoatedF0> S>
+void members(To& to, S& s) {
+  all_members(to, s.n, s.under, s.whole, s.energy_left, s.passes);
+}
 template <class To, Like<F0Row> S>
 void members(To& to, S& s) {
   all_members(to, s.path, s.name, s.material_class, s.dataset, s.source, s.result, s.alias_note, s.kind,
-              s.doubt, s.clear);
+              s.doubt, s.clear, s.coat);
 }
 template <class To, Like<Spread> S>
 void members(To& to, S& s) {

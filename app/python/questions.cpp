@@ -192,9 +192,12 @@ py::tuple export_call(const std::vector<py::object>& materials, const std::strin
   const F0Settings settings = f0_settings(how);
   const TableSettings tables = table_settings(how);
   LongWork work;
+  const std::string coat = how.text("coat");
   Exported out = work.unlocked([&] {
     const F0Options options = options_of(settings, library);
     require_export_space(call.to, options);
+    call.wishes.coat = coat_option(coat, library.when_asked(), options, call.wishes.axis_average);
+    validate(call.wishes, options);
     return exported(call, options, tables, library, threads, work);
   });
   if (how.text("gltf_form") == "metal-rough")

@@ -2,6 +2,7 @@
 #include "core/exchange/engine_values.h"
 
 #include "core/base/error.h"
+#include "core/exchange/export_coat.h"
 #include "core/exchange/targets/target.h"
 
 namespace etak {
@@ -71,7 +72,10 @@ EngineValues engine_values(const EngineTarget& target, const ExportSurface& surf
     throw Error::at(surface.id, "colours in " + std::string(name(surface.space)), "linear sRGB");
   EngineValues out;
   out.target = target.id;
-  const TargetJob job{surface, fit, out};
+  const bool whole = surface.coat && !target.has_coat;
+  const ExportSurface used = whole ? as_whole(surface) : surface;
+  if (whole) out.notes.push_back(whole_note(*surface.coat));
+  const TargetJob job{used, fit, out};
   for (const TargetRow* row : rows)
     if (row->target.id == target.id) row->write(job);
   add_emission(job);

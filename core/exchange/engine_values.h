@@ -18,8 +18,10 @@ namespace etak {
 // Kutz et al. 2021 (F82 tint); Gulbrandsen 2014. Unity and Blender as their programs behave.
 
 /// A program or format that values are written for.
+///   has_coat   whether it draws a clear coat; others are given the whole of base and coat, and a note says so
 struct EngineTarget {
   std::string_view id, title;
+  bool has_coat = false;
 };
 
 /// hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, gltf,
@@ -70,6 +72,12 @@ struct OpenPbrValues {
   double specular_ior = 1.5, specular_roughness = 0.3, geometry_opacity = 1;
   double transmission_weight = 0, transmission_depth = 0;  // 1 and metres, of a clear body
   LinearRgb transmission_color{1, 1, 1};                   // over that depth
+  // Of a coat, which is smooth. base_color and specular_color of a metal are those with which MaterialX's graph, which
+  // takes a metal's F under a coat as it is in air, gives the whole. The index of a dielectric stays that in air: the
+  // target compares it with the coat's itself.
+  double coat_weight = 0, coat_ior = 1.6;
+  double coat_darkening = 1;  // 0 but of a diffuse body: the graph darkens a smooth base as if it were one
+  LinearRgb coat_color{1, 1, 1};  // what the coat lets pass, down and up
   friend bool operator==(const OpenPbrValues&, const OpenPbrValues&) = default;
 };
 /// In the surface's own space. OpenPBR has one index for a dielectric: it is that of the luminance of F0
@@ -88,6 +96,8 @@ struct GltfMaterialValues {
   double transmission = 0;  // KHR_materials_transmission: 1 of a clear body, not of specular-glossiness
   std::optional<ClearBody> volume;  // KHR_materials_volume of it
   bool specular_glossiness = false;
+  double clearcoat =
+      0;  // KHR_materials_clearcoat: 1 over a base that gives the whole below its coat of index 1.5
   friend bool operator==(const GltfMaterialValues&, const GltfMaterialValues&) = default;
 };
 GltfMaterialValues gltf_values(const ExportSurface& surface, bool specular_glossiness, Fit fit,

@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/exchange/export_input.h"
 
+#include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/base/text/text.h"
+#include "core/exchange/export_coat.h"
 #include "core/material/names.h"
 #include "core/material/quality.h"
 
 namespace etak {
+namespace {
+
+std::string coat_note(const ExportCoat& coat) {
+  const auto text = [](const LinearRgb& c) {
+    return joined(vec(c), " ", [](double value) { return number(value, 4); });
+  };
+  return "under the coat " + coat.label + " F0 of the base is " + text(coat.f0_under) +
+         ", and with it that of the whole " + text(coat.f0);
+}
+
+}  // namespace
+
+void validate(const ExportWishes& wishes, const F0Options& options) {
+  if (!wishes.coat) return;
+  const auto* outside = std::get_if<double>(&options.outside.index);
+  if (outside == nullptr || *outside != 1)
+    throw Error::at(setting("coat"), "beside " + setting("outside") + ": coats of targets are in air",
+                    "one of them");
+}
 
 ExportAnswer export_answer(const MaterialInput& input, const TableOptions& tables, const F0Solver& solver,
                            const ExportWishes& wishes) {
@@ -25,6 +48,16 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
   const LinearRgb diffuse = wishes.diffuse.value_or(LinearRgb{0, 0, 0});
   ExportSurface& surface =
       out.surface.emplace(export_surface(material, dataset, solver.options(), result, diffuse, wishes.gloss));
+  if (wishes.coat) {
+    CoatedF0 coat;
+    if (std::string why = coated(*wishes.coat, solver.options(), dataset.optics, coat); !why.empty()) {
+      out.surface.reset();
+      out.refusal = material.id + "/" + dataset.id + ": refused: " + why;
+      return out;
+    }
+    surface.coat = export_coat(*wishes.coat, coat);
+    surface.notes.push_back(coat_note(*surface.coat));
+  }
   surface.opacity = wishes.opacity;
   surface.emission = wishes.emission;
   if (wishes.axis_average && !dataset.axis.empty())

@@ -6,6 +6,7 @@
 
 #include "core/exchange/export_surface.h"
 #include "core/exchange/material_input.h"
+#include "core/material/f0_coat.h"
 
 namespace etak {
 
@@ -16,6 +17,7 @@ struct ExportWishes {
   double opacity = 1;
   bool axis_average = false;  // crystals as random grains: solve_averaged()
   LinearRgb emission{0, 0, 0};
+  std::optional<Coat> coat = {};  // a clear layer over it; not beside axis_average
 };
 
 /// The surface of an input, or why its F0 is refused.
@@ -24,6 +26,9 @@ struct ExportAnswer {
   std::string dataset, refusal;
   std::string remark;  // a wish that the material does not take
 };
+
+/// Throws Error for a coat beside another medium outside than air.
+void validate(const ExportWishes& wishes, const F0Options& options);
 
 /// export_surface() of what is named. Throws Error for what cannot be read, and for wishes out of range.
 ExportAnswer export_answer(const MaterialInput& input, const TableOptions& tables, const F0Solver& solver,

@@ -20,6 +20,19 @@ namespace etak {
 enum class SurfaceKind { metal, dielectric };
 std::string_view name(SurfaceKind kind);  // "metal", "dielectric"
 
+/// The clear coat over a surface to export, in the colours of the surface's space.
+///   label                as it was asked for: "1.5", "water:2mm"
+///   n                    of the coat at 587.56 nm; outside is air
+///   passes               the share that its k leaves of light on the way down and up, head on
+///   f0_under, f82_under  what the base reflects of light in the coat
+///   f0, f82              of the whole, at cosine 1 and 1/7 outside
+struct ExportCoat {
+  std::string label;
+  double n = 1.5;
+  LinearRgb passes, f0_under, f82_under, f0, f82;
+  friend bool operator==(const ExportCoat&, const ExportCoat&) = default;
+};
+
 /// A surface to export: Schueler's four parameters, what is known of its edge and of its body.
 struct ExportSurface {
   std::string id;      // "gold": what it is called in files
@@ -32,6 +45,8 @@ struct ExportSurface {
   LinearRgb diffuse{0, 0, 0};       // Schueler's: used unchanged, not reduced by what is reflected
   std::optional<LinearRgb> total;   // measured: what f0 and diffuse add up to at normal incidence
   std::optional<ClearBody> clear;   // of a dielectric without diffuse
+  std::optional<ExportCoat> coat;   // f0 and f82 are those of the base without it
+  std::optional<double> ior;        // of the body, where f0 is not that of its surface in air
   Gloss gloss = 0.75;               // how rough: Schueler's gloss or perceptual roughness, [0, 1]
   double opacity = 1;               // [0, 1]
   LinearRgb emission{0, 0, 0};      // radiance that the surface sends out by itself, >= 0

@@ -43,6 +43,16 @@ std::string json_target(const EngineValues& values) {
                    9);
 }
 
+std::string json_coat(const ExportCoat& coat) {
+  return json_object({{"label", json(coat.label)},
+                      {"n", json(coat.n)},
+                      {"f0_under", json_color(coat.f0_under)},
+                      {"f82_under", json_color(coat.f82_under)},
+                      {"f0", json_color(coat.f0)},
+                      {"f82", json_color(coat.f82)}},
+                     -1);
+}
+
 std::string json_material(const ExportedValues& each) {
   const ExportSurface& s = each.surface;
   std::vector<JsonMember> out{{"id", json(s.id)},
@@ -62,6 +72,7 @@ std::string json_material(const ExportedValues& each) {
                               {"notes", json_array_of(s.notes)},
                               {"targets", json_lines_of(each.targets, 6, json_target)}};
   if (s.emission != LinearRgb{}) out.insert(out.end() - 2, {"emission", json_color(s.emission)});
+  if (s.coat) out.insert(out.end() - 2, {"coat", json_coat(*s.coat)});
   return json_object(out, 4);
 }
 
@@ -128,7 +139,8 @@ std::string export_table(const std::vector<ExportedValues>& all) {
     const ExportSurface& s = each.surface;
     out += (out.empty() ? "" : "\n") + line_text(s.name + " (" + s.id + "/" + each.dataset + "), ") +
            std::string(name(s.kind)) + (s.gloss.held() ? "" : ", gloss " + number(double{s.gloss}, 6)) +
-           ", alpha " + number(s.gloss.alpha(), 4) + ", roughness " + number(s.gloss.roughness(), 4) + '\n';
+           ", alpha " + number(s.gloss.alpha(), 4) + ", roughness " + number(s.gloss.roughness(), 4) +
+           (s.coat ? ", coat " + line_text(s.coat->label) : "") + '\n';
     for (const std::string& note : s.notes) out += "  note: " + line_text(note) + '\n';
     for (const EngineValues& values : each.targets) {
       bool first = true;

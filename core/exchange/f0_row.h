@@ -8,7 +8,6 @@
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
 #include "core/material/f0_coat.h"
-#include "core/material/f0_cone.h"
 
 namespace etak {
 
@@ -32,7 +31,6 @@ struct F0Row {
   std::string kind = {};        // of the dataset: "measured", "fit", "computed"; empty when unknown
   std::string doubt = {};       // why the dataset is doubtful; empty: it is not, or nothing is known of it
   std::optional<ClearBody> clear = {};  // of a material whose body is clear, its colour in the space of F0
-  Instrument instrument = {};           // through which the result is seen
   std::optional<CoatedF0> coat = {};    // where the job has a coat
   std::vector<F0Layer> layers = {};     // of a stack, the outermost first, the base last
 };

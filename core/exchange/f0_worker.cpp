@@ -80,7 +80,6 @@ F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& jo
   if (input.kind == MaterialInput::Kind::failed) throw Error(input.path);
   F0Outcome out;
   out.row.path = input.label();
-  out.row.instrument = job.instrument;
   if (input.kind == MaterialInput::Kind::material) {
     if (job.materials)
       out.material = read_material(input, job.tables);
@@ -175,13 +174,12 @@ void F0Worker::average_pages(const MaterialInput& input, const F0Job& job, F0Row
   row.result = job.solver.solve(parts, flags);
 }
 
-// The row's result as the job's instrument has it, and what the job's coat makes of it.
+// The row's result, and what the job's coat makes of it.
 void F0Worker::finish(const Optics& optics, F0Result result, const F0Job& job, F0Row& row) {
-  const F0Options& options = job.solver.options();
-  row.result = seen_through(job.instrument, options, optics, std::move(result));
+  row.result = std::move(result);
   if (!job.coat || row.result.refused()) return;
   CoatedF0 coat;
-  std::string why = coated(*job.coat, options, optics, coat);
+  std::string why = coated(*job.coat, job.solver.options(), optics, coat);
   if (!why.empty()) {
     const Coverage coverage = row.result.coverage;
     row.result = refused(std::move(why), row.result.flags);

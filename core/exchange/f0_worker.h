@@ -29,7 +29,6 @@ struct F0Job {
   bool with_source = false;  // fill in F0Row::source and F0Row::clear
   bool timed = false;
   bool materials = false;         // fill in F0Outcome::material in place of computing results
-  Instrument instrument = {};     // of all results but averages over axes
   std::optional<Coat> coat = {};  // fill in F0Row::coat
 };
 

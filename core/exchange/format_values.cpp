@@ -5,8 +5,28 @@
 
 #include "core/exchange/color_parts.h"
 #include "core/exchange/engine_values.h"
+#include "core/exchange/export_coat.h"
+#include "core/fresnel/fresnel.h"
 
 namespace etak {
+namespace {
+
+// A metal under OpenPBR's coat, or a dielectric, whose index the target compares with the coat's itself.
+OpenPbrValues coated_open_pbr(const ExportSurface& s, Fit fit, Changes& changes) {
+  ExportSurface base = under_coat(s, target_coat(*s.coat, false));
+  if (s.kind == SurfaceKind::dielectric) {
+    base = s;
+    base.coat.reset();
+  }
+  OpenPbrValues out = open_pbr_values(base, fit, changes);
+  out.coat_weight = 1;
+  out.coat_ior = s.coat->n;
+  out.coat_darkening = s.diffuse == LinearRgb{} ? 0 : 1;
+  out.coat_color = fitted(s.coat->passes, fit, 1, s.space, "coat_color", "coat_color is 0 to 1", changes);
+  return out;
+}
+
+}  // namespace
 
 LinearRgb layered_diffuse(const ExportSurface& s) {
   // The F0 that goes with a total is below 0.05, so that the divisor is far from 0.
@@ -14,6 +34,7 @@ LinearRgb layered_diffuse(const ExportSurface& s) {
 }
 
 OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes) {
+  if (s.coat) return coated_open_pbr(s, fit, changes);
   OpenPbrValues out;
   out.specular_roughness = s.gloss.roughness();
   out.geometry_opacity = s.opacity;
@@ -55,6 +76,13 @@ OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes)
 }
 
 GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness, Fit fit, Changes& changes) {
+  if (s.coat && specular_glossiness) return gltf_values(as_whole(s), true, fit, changes);
+  if (s.coat) {
+    note_fixed_coat(*s.coat, changes);
+    GltfMaterialValues out = gltf_values(under_coat(s, fixed_coat()), false, fit, changes);
+    out.clearcoat = 1;
+    return out;
+  }
   GltfMaterialValues out;
   out.specular_glossiness = specular_glossiness;
   out.roughness = s.gloss.roughness();
@@ -92,8 +120,9 @@ GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness,
   if (specular_glossiness) {
     out.specular_color = f0;
   } else {
-    out.ior = ior_of_f0(most);
-    if (most > 0 && smallest(f0) < most) out.specular_color = scaled(f0, 1 / most);
+    out.ior = s.ior.value_or(ior_of_f0(most));
+    const double reflected = s.ior ? f64::f0(*s.ior, 0) : most;
+    if (reflected > 0 && (s.ior || smallest(f0) < most)) out.specular_color = scaled(f0, 1 / reflected);
   }
   edge(f0);
   return out;

@@ -96,6 +96,11 @@ std::string extras_of(const ExportSurface& s, const GltfPictures& pictures, cons
   if (!s.gloss.held() && pictures.metallic_roughness.empty())
     members.push_back({"schueler_gloss", json(double{s.gloss})});
   if (s.f82) members.push_back({"f82_linear_srgb", three(*s.f82)});
+  if (s.coat)
+    members.push_back({"coat", line_object({{"n", json(s.coat->n)},
+                                            {"f0_under", three(s.coat->f0_under)},
+                                            {"f0", three(s.coat->f0)},
+                                            {"f82", three(s.coat->f82)}})});
   if (!s.source.empty()) members.push_back({"source", json(s.source)});
   if (!s.notes.empty()) members.push_back({"notes", json_array_of(s.notes)});
   if (!changes.empty()) members.push_back({"changes", json_array_of(lines)});
@@ -158,7 +163,8 @@ class Pictures {
 };
 
 struct Used {
-  bool ior = false, specular = false, glossiness = false, transmission = false, emissive_strength = false;
+  bool ior = false, specular = false, glossiness = false, transmission = false, emissive_strength = false,
+       clearcoat = false;
   Pictures pictures;
 };
 
@@ -226,6 +232,11 @@ std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, 
   } else {
     members.push_back({"pbrMetallicRoughness", metallic_roughness_of(s, v, pictures, used)});
     if (v.metallic == 0) extensions = dielectric_extensions(s, v, pictures, used);
+    if (v.clearcoat > 0) {
+      used.clearcoat = true;
+      extensions.push_back({"KHR_materials_clearcoat", line_object({{"clearcoatFactor", json(v.clearcoat)},
+                                                                    {"clearcoatRoughnessFactor", "0"}})});
+    }
   }
   if (!pictures.occlusion.empty())
     members.push_back({"occlusionTexture", used.pictures.texture(pictures.occlusion, s.id + " occlusion")});
@@ -276,6 +287,7 @@ std::string buffer_of(const Geometry& sphere, GltfContainer container) {
 
 std::vector<std::string> extensions_of(const Used& used) {
   std::vector<std::string> names;
+  if (used.clearcoat) names.push_back("KHR_materials_clearcoat");
   if (used.emissive_strength) names.push_back("KHR_materials_emissive_strength");
   if (used.ior) names.push_back("KHR_materials_ior");
   if (used.specular) names.push_back("KHR_materials_specular");

@@ -13,7 +13,7 @@
 namespace etak {
 namespace {
 
-constexpr int digits = 7;
+constexpr int xml_digits = 7;
 
 std::string color_space(RgbSpace space) {
   switch (space) {
@@ -51,11 +51,12 @@ class Node {
  public:
   Node(std::string& out, std::string space) : out_(out), space_(std::move(space)) {}
   void input(const char* name, double value) const {
-    append(out_, "    <input name=\"", name, "\" type=\"float\" value=\"", number(value, digits), "\" />\n");
+    append(out_, "    <input name=\"", name, "\" type=\"float\" value=\"", number(value, xml_digits),
+           "\" />\n");
   }
   void input(const char* name, const LinearRgb& c) const {
-    append(out_, "    <input name=\"", name, "\" type=\"color3\" value=\"", number(c.r, digits), ", ",
-           number(c.g, digits), ", ", number(c.b, digits), "\" colorspace=\"", space_, "\" />\n");
+    append(out_, "    <input name=\"", name, "\" type=\"color3\" value=\"", number(c.r, xml_digits), ", ",
+           number(c.g, xml_digits), ", ", number(c.b, xml_digits), "\" colorspace=\"", space_, "\" />\n");
   }
 
  private:
@@ -111,6 +112,13 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const Mat
     node.input("transmission_weight", v.transmission_weight);
     node.input("transmission_color", v.transmission_color);
     node.input("transmission_depth", v.transmission_depth);
+  }
+  if (v.coat_weight > 0) {
+    node.input("coat_weight", v.coat_weight);
+    node.input("coat_color", v.coat_color);
+    node.input("coat_roughness", 0.0);
+    node.input("coat_ior", v.coat_ior);
+    node.input("coat_darkening", v.coat_darkening);
   }
   if (pictures.geometry_opacity.empty() && v.geometry_opacity < 1)
     node.input("geometry_opacity", v.geometry_opacity);

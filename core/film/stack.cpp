@@ -148,23 +148,22 @@ FilmLight film_light(const Film& film, double wavelength_nm, double cosine) {
           {base.s.re / outside.s.re * s.through, base.p.re / outside.p.re * p.through}};
 }
 
+Film film_at(const FilmSpectra& film, std::size_t index) {
+  const auto medium = [&](const FilmSpectra::Medium& m) {
+    return FilmMedium{m.n[index], m.k.empty() ? 0 : m.k[index]};
+  };
+  Film out{film.outside[index], {}, medium(film.base)};
+  for (const FilmSpectra::Layer& layer : film.layers)
+    out.layers.push_back({medium(layer.medium), layer.thickness_nm, layer.coherent});
+  return out;
+}
+
 void film_reflectance(const FilmSpectra& film, double cosine, std::span<double> out) {
   bool coherent = true;
   for (const FilmSpectra::Layer& layer : film.layers) coherent = coherent && layer.coherent;
   if (coherent && cosine > 0) return film_lanes(film, cosine, out);
-  const auto medium = [](const FilmSpectra::Medium& m, std::size_t i) {
-    return FilmMedium{m.n[i], m.k.empty() ? 0 : m.k[i]};
-  };
-  Film one;
-  for (const FilmSpectra::Layer& layer : film.layers)
-    one.layers.push_back({{}, layer.thickness_nm, layer.coherent});
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    one.outside = film.outside[i];
-    for (std::size_t j = 0; j < film.layers.size(); ++j)
-      one.layers[j].medium = medium(film.layers[j].medium, i);
-    one.base = medium(film.base, i);
-    out[i] = film_light(one, film.wavelength_nm[i], cosine).reflected.mean();
-  }
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = film_light(film_at(film, i), film.wavelength_nm[i], cosine).reflected.mean();
 }
 
 }  // namespace etak

@@ -71,6 +71,9 @@ struct FilmSpectra {
   Medium base;
 };
 
+/// The film at the wavelength of that index.
+Film film_at(const FilmSpectra& film, std::size_t index);
+
 /// Unpolarised reflectance at each wavelength, in vector lanes where all layers are coherent. The numbers are those of
 /// film_light() but for rounding. Values are not checked.
 void film_reflectance(const FilmSpectra& film, double cosine, std::span<double> out);

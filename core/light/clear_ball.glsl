@@ -26,9 +26,14 @@ vec3 beyond_ball(vec3 n, vec3 v, real eta) {
 
 // Share of the light from there that reaches the viewer. The way inside is the cosine there, in diameters.
 //   passing   what is left of light after a whole diameter, [0, 1]
-vec3 through_ball(real nv, real eta, vec3 passing) {
+//   twice     of light that passes the surface where it enters and where it leaves
+vec3 through_layers(real nv, real eta, vec3 passing, vec3 twice) {
   real way = cosine_in_ball(nv, eta);
+  return vec3(pow(passing.x, way), pow(passing.y, way), pow(passing.z, way)) * twice;
+}
+
+// The same of a ball without layers.
+vec3 through_ball(real nv, real eta, vec3 passing) {
   real entered = 1 - fresnel_dielectric(real(1), eta, nv);
-  vec3 left = vec3(pow(passing.x, way), pow(passing.y, way), pow(passing.z, way));
-  return left * (entered * entered);
+  return through_layers(nv, eta, passing, vec3(entered * entered));
 }

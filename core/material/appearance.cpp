@@ -120,6 +120,22 @@ constexpr auto group_rows = std::to_array<GroupRow>({{"oil", 0.1},
                                                      {"metal", 0.6},
                                                      {"stone", 0.7}});
 
+// Of the body below the layers.
+Clarity clarity_of_base(const Stack& stack, RgbSpace space) {
+  Clarity out;
+  if (!stack.is_open()) return out;
+  const StackMedium& base = stack.media[stack.base];
+  out.clear = base.body.has_value();
+  out.reason = "as its base " + base.id + "/" + base.dataset + (out.clear ? " is" : " is not clear");
+  if (!out.clear) return out;
+  out.body = *base.body;
+  const Xyz white = to_xyz(daylight().white());
+  const Mat3 from_srgb = inverse(xyz_to_rgb(RgbSpace::srgb, white, white));
+  if (space != RgbSpace::srgb)
+    out.body.color = to_rgb(xyz_to_rgb(space, white, white) * (from_srgb * vec(out.body.color)));
+  return out;
+}
+
 }  // namespace
 
 Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space) {
@@ -132,9 +148,8 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
   }
   const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
   if (constants == nullptr) {
-    out.reason = std::holds_alternative<Stack>(dataset.optics)
-                     ? "a stack of layers is not seen through yet"
-                     : "the data are reflectance: what the body absorbs is not known";
+    if (const auto* stack = std::get_if<Stack>(&dataset.optics)) return clarity_of_base(*stack, space);
+    out.reason = "the data are reflectance: what the body absorbs is not known";
     return out;
   }
   out.reason = material.body.empty() ? alias_note(material.bodies, dataset.id) : material.body;

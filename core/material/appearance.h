@@ -14,21 +14,6 @@ namespace etak {
 // no dataset says: whether a body of it is clear, how rough its surface is, and how a total reflectance
 // divides into body and surface.
 
-/// A body that light goes through.
-///   color     what D65 becomes over `depth_m` by exp(-4 pi k depth / wavelength), linear; white where
-///             depth_m is 0
-///   depth_m   the longest of 1 m, 0.1 m, 0.01 m and 0.001 m through which at least half of daylight passes;
-///             0 where no absorption is known or more than 0.999 passes 1 m
-///   n_d       n at helium's yellow line, 587.56 nm; none where the dataset's n does not reach it
-///   v_d       Abbe's number (n_d - 1) / (n_F - n_C), with hydrogen's lines 486.13 nm and 656.27 nm
-///             (ISO 7944); none where n does not reach them or does not fall from blue to red
-struct ClearBody {
-  LinearRgb color{1, 1, 1};
-  double depth_m = 0;
-  std::optional<double> n_d = {}, v_d = {};
-  friend bool operator==(const ClearBody&, const ClearBody&) = default;
-};
-
 /// Whether light goes through a body of a material.
 ///   clear     a dielectric through `clear_depth_m` of which at least half of daylight (Y under D65) passes
 ///             by its k; one whose dataset has no k over half of the visible weight. Its colour then is by

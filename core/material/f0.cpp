@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -138,6 +139,21 @@ std::vector<double> estimate(const Refinement& refinement, std::span<const doubl
   return refinement.estimate(places.wavelength_nm, reflectance);
 }
 
+std::string hemisphere_mean(const F0Setup& setup, const Optics& optics, const Quadrature& q,
+                            std::span<double> out) {
+  return cone_mean(setup, optics, q, std::numeric_limits<double>::infinity(), out);
+}
+
+void check_instrument(const F0Setup& setup) {
+  const auto [aperture, scatter] = setup.options.instrument;
+  double least = setup.outside_n;
+  if (!setup.outside.empty()) least = *std::min_element(setup.outside.begin(), setup.outside.end());
+  if (!(aperture >= 0 && aperture < least))
+    throw Error::at(setting("aperture"), number(aperture, 6),
+                    "0 to below the index of the outside medium, " + number(least, 6));
+  if (!(scatter >= 0 && scatter <= 1)) throw Error::at(setting("scatter"), number(scatter, 6), "0 to 1");
+}
+
 // For a medium whose n is a table or formula.
 void set_outside(const OpticalConstants& medium, F0Setup& setup) {
   const std::string place = "outside medium " + setup.options.outside.label;
@@ -172,11 +188,13 @@ F0Setup f0_setup(F0Options options) {
   if (!out.exact()) out.spaces = colour_spaces(o, out.quadrature);
   if (const auto* medium = std::get_if<OpticalConstants>(&o.outside.index)) {
     set_outside(*medium, out);
+    check_instrument(out);
     return out;
   }
   out.outside_n = std::get<double>(o.outside.index);
   if (!(out.outside_n > 0) || !std::isfinite(out.outside_n))
     throw Error::at("outside medium", "n = " + number(out.outside_n, 6), "a finite n above 0");
+  check_instrument(out);
   return out;
 }
 
@@ -248,10 +266,10 @@ struct F0Solver::State {
 
   // Completes `result` by the colour of the reflectance that `reflect` gives at the nodes of the rule for
   // these knots; where the data do not allow it, `reflect` returns nothing and says why in result.refusal.
-  //   r82   where `reflect` leaves the reflectance at cos 1/7; null: none
+  //   r82, mean   where `reflect` leaves the reflectance at cos 1/7, and its mean; null: none
   template <class Reflect>
   void add_colour(std::vector<double> knots, const Reflect& reflect, const std::vector<double>* r82,
-                  F0Result& result) const {
+                  const std::vector<double>* mean, F0Result& result) const {
     const bool spiky = setup.options.method == Method::nm1 && result.flags.has(Flag::finer_than_grid);
     const Rule rule = rule_for(std::move(knots), spiky, reflect);
     if (result.refused()) return;
@@ -268,8 +286,10 @@ struct F0Solver::State {
     if (spiky) exactly.emplace(setup.options).method = Method::exact;
     const F0Options& options = exactly ? *exactly : setup.options;
     const bool own_spaces = options.method == Method::exact;
-    result = with_colour(std::move(result), options, q, own_spaces ? colour_spaces(options, q) : setup.spaces,
-                         r0, r82 ? std::span<const double>(*r82) : std::span<const double>{});
+    const ColourSpaces spaces = own_spaces ? colour_spaces(options, q) : setup.spaces;
+    result = with_colour(std::move(result), options, q, spaces, r0,
+                         r82 ? std::span<const double>(*r82) : std::span<const double>{});
+    if (mean) result.mean = with_colour({}, options, q, spaces, *mean, {}).linear;
   }
 };
 
@@ -295,9 +315,12 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   add_data(setup, optics, result);
   if (result.refused()) return result;
 
+  const bool has_angles = !std::holds_alternative<Reflectance>(optics);
+  const bool has_mean = setup.options.mean && has_angles;
   const auto reflect = [&](const Quadrature& at) -> std::span<const double> {
     room.resize(at.wavelength_nm.size());
     std::string refusal = reflectance_at(setup, optics, at, room, watch, times);
+    if (refusal.empty() && has_mean) refusal = hemisphere_mean(setup, optics, at, room.mean);
     if (refusal.empty()) return room.r0;
     result.refusal = std::move(refusal);
     return {};
@@ -305,8 +328,9 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   if (state_->finer_than_grid(optics, reflect)) result.flags.set(Flag::finer_than_grid);
   std::vector<double> knots;
   if (setup.needs_knots() || result.flags.has(Flag::finer_than_grid)) append_knots(optics, knots);
-  const bool has_f82 = !std::holds_alternative<Reflectance>(optics);
-  state_->add_colour(std::move(knots), reflect, has_f82 ? &room.r82 : nullptr, result);
+  const bool has_f82 = has_angles && setup.options.instrument.aperture == 0;
+  state_->add_colour(std::move(knots), reflect, has_f82 ? &room.r82 : nullptr,
+                     has_mean ? &room.mean : nullptr, result);
   watch.lap(times.sum);
   return result;
 }
@@ -315,7 +339,7 @@ F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const
   F0Result result;
   result.flags = data_flags;
   std::vector<double> knots;
-  bool has_f82 = true;
+  bool has_f82 = true, has_mean = true;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const F0Result part = solve(*parts[i].optics);
     if (part.refused()) {
@@ -329,6 +353,7 @@ F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const
       intersect(result.coverage, part.coverage);
     result.flags |= part.flags;
     has_f82 = has_f82 && part.f82.has_value();
+    has_mean = has_mean && part.mean.has_value();
     append_knots(*parts[i].optics, knots);
   }
   // These flags are set again where they hold for the average.
@@ -342,17 +367,22 @@ F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const
     room.resize(at.wavelength_nm.size());
     std::fill(room.mixed0.begin(), room.mixed0.end(), 0.0);
     std::fill(room.mixed82.begin(), room.mixed82.end(), 0.0);
+    std::fill(room.mixed_mean.begin(), room.mixed_mean.end(), 0.0);
     for (const Part& part : parts) {
       result.refusal = reflectance_at(state_->setup, *part.optics, at, room, watch, ignored);
+      if (!result.refused() && has_mean)
+        result.refusal = hemisphere_mean(state_->setup, *part.optics, at, room.mean);
       if (result.refused()) return {};
       for (std::size_t i = 0; i < room.r0.size(); ++i) {
         room.mixed0[i] += part.weight * room.r0[i];
         room.mixed82[i] += part.weight * room.r82[i];
+        room.mixed_mean[i] += part.weight * room.mean[i];
       }
     }
     return room.mixed0;
   };
-  state_->add_colour(std::move(knots), reflect, has_f82 ? &room.mixed82 : nullptr, result);
+  state_->add_colour(std::move(knots), reflect, has_f82 ? &room.mixed82 : nullptr,
+                     has_mean ? &room.mixed_mean : nullptr, result);
   return result;
 }
 

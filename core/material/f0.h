@@ -40,6 +40,15 @@ struct CustomSpace {
   std::function<LinearRgb(const Xyz& color, const Xyz& white)> convert;
 };
 
+/// The instrument through which a reflectance is seen.
+///   aperture   of an objective whose pupil is filled: the reflectance is the mean over its cone, uniform in the squared
+///              sine, over s and p; below the index outside; 0: normal incidence alone
+///   scatter    share of the reflected light that is lost, [0, 1]
+struct Instrument {
+  double aperture = 0, scatter = 0;
+  bool any() const { return aperture > 0 || scatter > 0; }
+};
+
 /// How F0 is computed. The default is etak's reference policy; policy() prints it.
 struct F0Options {
   Viewing viewing;
@@ -49,7 +58,9 @@ struct F0Options {
   RgbSpace space = RgbSpace::srgb;          // of F0Result::linear, f82, f82_tint
   std::optional<CustomSpace> custom_space;  // when set, in place of `space`
   OutsideMedium outside;
+  Instrument instrument;
   bool allow_extrapolation = false;
+  bool mean = false;  // fill in F0Result::mean, which is that of the bare reflectance, without an instrument
   // Keep the tables of a viewing of one's own (core/spectrum/own_viewing.h).
   std::shared_ptr<const Observer> own_observer;
   std::shared_ptr<const Illuminant> own_illuminant;
@@ -82,14 +93,17 @@ struct IntegrationStep {
 
 /// Reflectance at normal incidence as a colour, and what one must know to trust it.
 struct F0Result {
-  Xyz xyz;                                // under the chosen illuminant, Y = 1 for a perfect reflector
-  LinearRgb linear;                       // in F0Options::space, never clipped
-  LinearRgb srgb_linear;                  // in linear sRGB, never clipped
-  Srgb8 srgb8;                            // of srgb_linear, clipped to [0, 1] and rounded half up
-  double luminance = 0;                   // Y
-  std::optional<LinearRgb> f82;           // reflectance at cos = 1/7, in `space`; none for reflectance data
-  std::optional<LinearRgb> f82_tint;      // f82 / Schlick(F0, cos 1/7), channel by channel
-  std::optional<Zone> zone;               // none: refused, or no F0 but the colour of a surface
+  Xyz xyz;                            // under the chosen illuminant, Y = 1 for a perfect reflector
+  LinearRgb linear;                   // in F0Options::space, never clipped
+  LinearRgb srgb_linear;              // in linear sRGB, never clipped
+  Srgb8 srgb8;                        // of srgb_linear, clipped to [0, 1] and rounded half up
+  double luminance = 0;               // Y
+  std::optional<LinearRgb> f82;       // reflectance at cos = 1/7, in `space`; none for reflectance data,
+                                      // and through an aperture
+  std::optional<LinearRgb> f82_tint;  // f82 / Schlick(F0, cos 1/7), channel by channel
+  std::optional<LinearRgb> mean;  // over a diffuse hemisphere, the integral of 2 cos F d(cos), in `space`;
+                                  // where the options ask for it; none for reflectance data
+  std::optional<Zone> zone;       // none: refused, or no F0 but the colour of a surface
   std::array<bool, 3> channel_in_zone{};  // of srgb_linear; none of a surface
   std::array<double, 3> gamut_excess{};   // of `linear`: amount above 1 (positive) or below 0 (negative); 0
                                           // inside. XYZ has no gamut: always 0 there
@@ -102,6 +116,9 @@ struct F0Result {
   bool out_of_gamut() const;
 };
 
+/// The mean of F82's curve through F0 and F82 over a diffuse hemisphere, in closed form; none without F82.
+std::optional<LinearRgb> mean_of_f82(const F0Result& result);
+
 /// Seconds spent per stage; summed by the caller over threads.
 struct F0Timing {
   double interpolate = 0, fresnel = 0, sum = 0;
@@ -111,7 +128,7 @@ struct F0Timing {
 class F0Solver {
  public:
   /// Throws Error when the outside medium absorbs visibly (k > 0.01 inside 360..830 nm) or lacks coverage,
-  /// and for an integration bound that is not above 0.
+  /// for an integration bound that is not above 0, and for what no instrument has.
   explicit F0Solver(F0Options options);
   ~F0Solver();
   F0Solver(F0Solver&&) noexcept;

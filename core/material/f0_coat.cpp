@@ -26,6 +26,9 @@ F0Result colour_of(const F0Setup& setup, const FilmSpectra& film, std::vector<do
 }  // namespace
 
 void validate(const Coat&, const F0Options& options) {
+  if (options.instrument.any())
+    throw Error::at(setting("coat"), "beside " + setting("aperture") + " or " + setting("scatter"),
+                    "one of them");
   if (f0_setup(options).needs_knots())
     throw Error::at(setting("method"), std::string(name(options.method)) + " beside a coat",
                     "1nm or another sum");
@@ -50,13 +53,14 @@ std::string coated(const Coat& coat, const F0Options& options, const Optics& opt
   out.n = coat.n;
   out.whole = colour_of(setup, whole, left);
   out.under = colour_of(setup, under, f0_under);
+  std::vector<double> kept(left.size());
   film_reflectance({q.wavelength_nm, whole.outside, {}, {medium.n, {}}}, 1, left);  // of the coat's surface
   for (std::size_t i = 0; i < left.size(); ++i) {
-    const double kept =
-        std::exp(-8 * std::numbers::pi * medium.k[i] * coat.thickness_nm / q.wavelength_nm[i]);
-    const double surface = left[i], passes = 1 - surface;
-    left[i] = kept * passes * passes / (1 - kept * surface * f0_under[i]);
+    kept[i] = std::exp(-8 * std::numbers::pi * medium.k[i] * coat.thickness_nm / q.wavelength_nm[i]);
+    const double reflected = left[i], passes = 1 - reflected;
+    left[i] = kept[i] * passes * passes / (1 - kept[i] * reflected * f0_under[i]);
   }
+  out.passes = with_colour({}, setup.options, q, setup.spaces, kept, {}).linear;
   out.energy_left = with_colour({}, setup.options, q, setup.spaces, left, {});
   drop_zone(out.energy_left);
   return {};

@@ -31,12 +31,14 @@ struct Coat {
 ///                 for the share that the coat's k leaves of light on its way down and up, it is
 ///                 A (1 - S)^2 / (1 - A S F0_under): OpenPBR's T (1 - E_coat) times its darkening for a smooth base.
 ///                 Without F82
+///   passes        A, in the options' space
 struct CoatedF0 {
   double n = 1;
   F0Result under, whole, energy_left;
+  LinearRgb passes;
 };
 
-/// Throws Error where the method of the options is no sum over wavelengths.
+/// Throws Error where the method of the options is no sum over wavelengths, or an instrument is in them.
 void validate(const Coat& coat, const F0Options& options);
 
 /// Computes `out`. Returns why the data do not allow it: reflectance at normal incidence alone does not.

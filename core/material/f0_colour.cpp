@@ -43,6 +43,13 @@ ColourSpaces colour_spaces(const F0Options& options, const Quadrature& q) {
   return s;
 }
 
+std::optional<LinearRgb> mean_of_f82(const F0Result& result) {
+  if (!result.f82) return std::nullopt;
+  const auto [r, g, b] = result.linear;
+  return LinearRgb{f64::f82_mean(r, result.f82->r), f64::f82_mean(g, result.f82->g),
+                   f64::f82_mean(b, result.f82->b)};
+}
+
 F0Result with_colour(F0Result result, const F0Options& options, const Quadrature& q, const ColourSpaces& s,
                      std::span<const double> r0, std::span<const double> r82) {
   // A point method's sum is linear sRGB already; through XYZ and back it would only gain rounding.

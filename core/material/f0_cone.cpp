@@ -1,96 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/material/f0_cone.h"
-
+// Means of the reflectance over a cone of directions.
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
-#include "core/base/number.h"
-#include "core/base/setting.h"
 #include "core/film/stack.h"
 #include "core/material/f0_steps.h"
-#include "core/material/quality.h"
 #include "core/math/quadrature.h"
 
 namespace etak {
 namespace {
 
-// Into `out`, at the nodes of q. Returns why the data do not allow it.
-std::string cone_reflectance(double aperture, const F0Setup& setup, const Stack& stack,
-                             std::span<double> out) {
-  const Quadrature& q = setup.quadrature;
-  StackSpectra spectra;
-  if (std::string why = stack_spectra(setup, stack, q, spectra); !why.empty()) return why;
-  Film film;
-  for (const StackLayer& layer : stack.layers)
-    film.layers.push_back({{}, layer.thickness_nm, layer.coherent});
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const auto medium = [&](std::size_t which) {
-      return FilmMedium{spectra.n[which][i], spectra.k[which][i]};
-    };
-    for (std::size_t j = 0; j < film.layers.size(); ++j)
-      film.layers[j].medium = medium(stack.layers[j].medium);
-    film.base = medium(stack.base);
-    film.outside = spectra.outside[i];
-    const double sine = aperture / film.outside, most = sine * sine;
-    const auto reflected = [&](double squared_sine) {
-      return film_light(film, q.wavelength_nm[i], std::sqrt(1 - squared_sine)).reflected.mean();
-    };
-    out[i] = gauss_legendre<16>(reflected, 0, most) / most;
+constexpr double most_pieces = 1000;
+
+// The wavelengths from `begin` to `end` of a film.
+FilmSpectra part_of(FilmSpectra film, std::size_t begin, std::size_t end) {
+  const auto cut = [&](std::span<const double>& values) {
+    if (!values.empty()) values = values.subspan(begin, end - begin);
+  };
+  for (std::span<const double>* values : {&film.wavelength_nm, &film.outside, &film.base.n, &film.base.k})
+    cut(*values);
+  for (FilmSpectra::Layer& layer : film.layers) {
+    cut(layer.medium.n);
+    cut(layer.medium.k);
   }
-  return {};
+  return film;
 }
 
-std::string reflectance_through(const Instrument& instrument, const F0Setup& setup, const Optics& optics,
-                                F0Spectra& room) {
-  if (instrument.aperture > 0) {
-    if (std::holds_alternative<Reflectance>(optics))
-      return "reflectance at normal incidence tells nothing of the cone of an aperture";
-    return cone_reflectance(instrument.aperture, setup, stack_of(optics), room.r0);
-  }
-  Stopwatch watch(false);
-  F0Timing ignored;
-  return reflectance_at(setup, optics, setup.quadrature, room, watch, ignored);
+// For a film whose outside has one index: the integral of 2 c R over the cosines from `least` to 1, divided by that of
+// 2 c, by 16 points for each fringe: of these a coherent layer has 2 d (1 - least) / wavelength at most in air, and not many
+// more in another medium.
+void mean_from(const FilmSpectra& film, double least, std::span<double> out) {
+  static const GaussLegendre<16> rule;
+  double fringes = 0;
+  for (const FilmSpectra::Layer& layer : film.layers)
+    if (layer.coherent) fringes += 2 * layer.thickness_nm * (1 - least) / film.wavelength_nm.front();
+  const int pieces = 1 + static_cast<int>(std::min(fringes, most_pieces));
+  const double half = (1 - least) / (2 * pieces);
+  std::vector<double> one(out.size());
+  std::fill(out.begin(), out.end(), 0.0);
+  for (int piece = 0; piece < pieces; ++piece)
+    for (std::size_t node = 0; node < rule.node.size(); ++node) {
+      const double cosine = least + half * (2 * piece + 1 + rule.node[node]);
+      film_reflectance(film, cosine, one);
+      const double weight = rule.weight[node] * half * 2 * cosine / (1 - least * least);
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] += weight * one[i];
+    }
 }
 
 }  // namespace
 
-void validate(const Instrument& instrument, const F0Options& options) {
-  const auto check = [](double value, const char* name, const std::string& expected, bool good) {
-    if (!good) throw Error::at(setting(name), number(value, 6), expected);
-  };
-  const F0Setup setup = f0_setup(options);
-  double least = setup.outside_n;
-  if (!setup.outside.empty()) least = *std::min_element(setup.outside.begin(), setup.outside.end());
-  check(instrument.aperture, "aperture", "0 to below the index of the outside medium, " + number(least, 6),
-        instrument.aperture >= 0 && instrument.aperture < least);
-  check(instrument.scatter, "scatter", "0 to 1", instrument.scatter >= 0 && instrument.scatter <= 1);
-  if (instrument.any() && setup.needs_knots())
-    throw Error::at(setting("method"), std::string(name(options.method)) + " beside an aperture or scatter",
-                    "1nm or another sum");
-}
-
-F0Result seen_through(const Instrument& instrument, const F0Options& options, const Optics& optics,
-                      F0Result ahead) {
-  if (!instrument.any() || ahead.refused()) return ahead;
-  const F0Setup setup = f0_setup(options);
-  F0Spectra room;
-  room.resize(setup.quadrature.wavelength_nm.size());
-  F0Result out;
-  out.coverage = ahead.coverage;
-  out.flags = ahead.flags;
-  out.flags.clear(Flag::out_of_gamut);
-  out.flags.clear(Flag::channel_in_zone);
-  out.refusal = reflectance_through(instrument, setup, optics, room);
-  if (out.refused()) return out;
-  const bool edge = ahead.f82 && instrument.aperture == 0;
-  for (auto* values : {&room.r0, &room.r82})
-    for (double& value : *values) value *= 1 - instrument.scatter;
-  const bool surface = !ahead.zone;
-  out = with_colour(std::move(out), setup.options, setup.quadrature, setup.spaces, room.r0,
-                    edge ? std::span<const double>(room.r82) : std::span<const double>{});
-  if (surface) drop_zone(out);
-  return out;
+std::string cone_mean(const F0Setup& setup, const Optics& optics, const Quadrature& q, double aperture,
+                      std::span<double> out) {
+  if (std::holds_alternative<Reflectance>(optics))
+    return "reflectance at normal incidence tells nothing of the cone of an aperture";
+  const Stack stack = stack_of(optics);
+  StackSpectra spectra;
+  if (std::string why = stack_spectra(setup, stack, q, spectra); !why.empty()) return why;
+  const FilmSpectra film = spectra.film(stack, q);
+  for (std::size_t begin = 0, end = 0; begin < out.size(); begin = end) {
+    const double outside = film.outside[begin], sine = std::min(aperture / outside, 1.0);
+    while (end < out.size() && film.outside[end] == outside) ++end;
+    mean_from(part_of(film, begin, end), std::sqrt(1 - sine * sine), out.subspan(begin, end - begin));
+  }
+  return {};
 }
 
 }  // namespace etak

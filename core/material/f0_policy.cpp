@@ -47,6 +47,9 @@ std::string policy(const F0Options& o) {
     text += "; white is the same sum for R = 1";
   }
   text.append("; outside medium ").append(o.outside.label);
+  if (o.instrument.aperture > 0)
+    text += "; mean over the cone of aperture " + number(o.instrument.aperture, 4);
+  if (o.instrument.scatter > 0) text += "; " + number(o.instrument.scatter, 4) + " of it lost by scatter";
   text.append(o.custom_space ? "; in " : "; linear ").append(space_name(o));
   text += "; 8 bit by ";
   text += o.method == Method::legacy_schueler ? "the power 1/2.2" : "the piecewise sRGB curve";

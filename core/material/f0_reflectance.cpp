@@ -103,8 +103,11 @@ std::string stack_spectra(const F0Setup& setup, const Stack& stack, const Quadra
   return {};
 }
 
-std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Quadrature& q, F0Spectra& room,
-                           Stopwatch& watch, F0Timing& timing) {
+namespace {
+
+// At normal incidence and at cos 1/7.
+std::string reflectance_ahead(const F0Setup& setup, const Optics& optics, const Quadrature& q,
+                              F0Spectra& room, Stopwatch& watch, F0Timing& timing) {
   if (const auto* table = std::get_if<Reflectance>(&optics)) {
     values_at(setup, table->spectrum, q, room.r0);
     watch.lap(timing.interpolate);
@@ -121,6 +124,19 @@ std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Qua
   if (!room.r82.empty()) f64::fresnel_exact(room.n, room.k, f82_cosine, room.r82);
   watch.lap(timing.fresnel);
   return {};
+}
+
+}  // namespace
+
+std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Quadrature& q, F0Spectra& room,
+                           Stopwatch& watch, F0Timing& timing) {
+  const Instrument& instrument = setup.options.instrument;
+  std::string why = instrument.aperture > 0 ? cone_mean(setup, optics, q, instrument.aperture, room.r0)
+                                            : reflectance_ahead(setup, optics, q, room, watch, timing);
+  if (instrument.scatter > 0)
+    for (auto* values : {&room.r0, &room.r82})
+      for (double& value : *values) value *= 1 - instrument.scatter;
+  return why;
 }
 
 }  // namespace etak

@@ -57,6 +57,12 @@ void set_viewing(const F0Settings& settings, F0Options& out) {
                       "a sum of power and y above 0");
 }
 
+double number_setting(const char* name, const std::string& text) {
+  double out = 0;
+  if (!text.empty() && !parse_number(text, out)) throw Error::at(setting(name), printable(text), "a number");
+  return out;
+}
+
 constexpr const char* coat_form =
     "an index above 0 or a clear material, maybe with a thickness: 1.5, pmma, water:2mm";
 
@@ -108,6 +114,15 @@ Coat coat_setting(const std::string& text, const LibraryWhenAsked& library) {
   return out;
 }
 
+std::optional<Coat> coat_option(const std::string& text, const LibraryWhenAsked& library,
+                                const F0Options& options, bool axis_average) {
+  if (text.empty()) return std::nullopt;
+  if (axis_average) throw Error::at(setting("coat"), "beside " + setting("axis-average"), "one of them");
+  Coat out = coat_setting(text, library);
+  validate(out, options);
+  return out;
+}
+
 F0Options f0_options(const F0Settings& settings, const LibraryWhenAsked& library,
                      const OpenSpace& open_space) {
   F0Options out;
@@ -119,6 +134,8 @@ F0Options f0_options(const F0Settings& settings, const LibraryWhenAsked& library
       "1nm, exact, auto, 5nm, 10nm, 20nm, e308-10nm, e308-20nm, point-650-550-450 or point-643-562-396");
   if (!settings.integration_bound.empty()) out.integration_bound = integration_bound(settings, out.method);
   out.allow_extrapolation = settings.allow_extrapolation;
+  out.instrument = {number_setting("aperture", settings.aperture),
+                    number_setting("scatter", settings.scatter)};
   set_space(settings, open_space, out);
   // The library is opened only where a medium is named, which is seldom.
   if (!settings.outside.empty())

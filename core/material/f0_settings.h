@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/material/f0.h"
@@ -19,7 +20,8 @@ struct F0Settings {
   // In place of the words, where they are set.
   std::shared_ptr<const Observer> own_observer;
   std::shared_ptr<const Illuminant> own_illuminant;
-  bool axis_average = false;  // crystals as random grains: solve_averaged() (quality.h)
+  bool axis_average = false;          // crystals as random grains: solve_averaged() (quality.h)
+  std::string aperture{}, scatter{};  // numbers of Instrument
   friend bool operator==(const F0Settings&, const F0Settings&) = default;
 };
 
@@ -40,5 +42,9 @@ F0Options f0_options(const F0Settings& settings, const LibraryWhenAsked& library
 /// The coat of a text: an index above 0 or a clear material of the library, behind which a thickness may stand, over which
 /// its k counts, that of another of its datasets where its own has none ("1.5", "pmma", "water:2mm"). Throws Error that names the setting.
 Coat coat_setting(const std::string& text, const LibraryWhenAsked& library);
+
+/// The same for one that may be empty, checked: throws Error beside an average over axes too, and as validate() of Coat does.
+std::optional<Coat> coat_option(const std::string& text, const LibraryWhenAsked& library,
+                                const F0Options& options, bool axis_average);
 
 }  // namespace etak

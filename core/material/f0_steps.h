@@ -43,9 +43,9 @@ std::string coverage_refusal(const F0Setup& setup, Range range, const Coverage& 
 
 /// Room for the spectra of one thread: kept between calls, so that a database run allocates once.
 struct F0Spectra {
-  std::vector<double> n, k, r0, r82, mixed0, mixed82;
+  std::vector<double> n, k, r0, r82, mean, mixed0, mixed82, mixed_mean;
   void resize(std::size_t count) {
-    for (auto* v : {&n, &k, &r0, &r82, &mixed0, &mixed82}) v->resize(count);
+    for (auto* v : {&n, &k, &r0, &r82, &mean, &mixed0, &mixed82, &mixed_mean}) v->resize(count);
   }
 };
 
@@ -68,8 +68,14 @@ struct StackSpectra {
 /// Returns why the data do not allow it; empty: they do.
 std::string stack_spectra(const F0Setup& setup, const Stack& stack, const Quadrature& q, StackSpectra& out);
 
-/// Reflectance at the nodes of `q` into `room`, which has their size: r0 at normal incidence and, of optical
-/// constants, r82 at cos 1/7.
+/// The mean reflectance over the cone of an aperture, s and p, uniform in the squared sine, at the nodes of `q`.
+/// Returns why the data do not allow it; empty: they do.
+///   aperture   above 0; of the index outside and more: the whole hemisphere
+std::string cone_mean(const F0Setup& setup, const Optics& optics, const Quadrature& q, double aperture,
+                      std::span<double> out);
+
+/// Reflectance at the nodes of `q` into `room`, which has their size, as the options' instrument has it: r0 at normal
+/// incidence or over the cone of the aperture and, of optical constants without an aperture, r82 at cos 1/7.
 ///   room      with an empty r82 none is computed
 ///   returns   why the data do not allow it; empty: they do
 std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Quadrature& q, F0Spectra& room,

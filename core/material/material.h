@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/color/rgb.h"
 #include "core/spectrum/spectrum.h"
 
 namespace etak {
@@ -112,11 +113,28 @@ struct Citation {
   friend bool operator==(const Citation&, const Citation&) = default;
 };
 
+/// A body that light goes through.
+///   color     what D65 becomes over `depth_m` by exp(-4 pi k depth / wavelength), linear; white where
+///             depth_m is 0
+///   depth_m   the longest of 1 m, 0.1 m, 0.01 m and 0.001 m through which at least half of daylight passes;
+///             0 where no absorption is known or more than 0.999 passes 1 m
+///   n_d       n at helium's yellow line, 587.56 nm; none where the dataset's n does not reach it
+///   v_d       Abbe's number (n_d - 1) / (n_F - n_C), with hydrogen's lines 486.13 nm and 656.27 nm
+///             (ISO 7944); none where n does not reach them or does not fall from blue to red
+struct ClearBody {
+  LinearRgb color{1, 1, 1};
+  double depth_m = 0;
+  std::optional<double> n_d = {}, v_d = {};
+  friend bool operator==(const ClearBody&, const ClearBody&) = default;
+};
+
 /// A medium of a stack: a dataset of a material.
+///   body   of the base, where it is clear; its colour is in sRGB
 struct StackMedium {
   std::string id, dataset;
   Citation citation;
   OpticalConstants constants;
+  std::optional<ClearBody> body = {};
   friend bool operator==(const StackMedium&, const StackMedium&) = default;
 };
 

@@ -47,6 +47,16 @@ Vec3 SeenStack::operator()(double cosine) const {
   return state_->setup.spaces.to_srgb * state_->setup.quadrature.integrate(reflectance);
 }
 
+Vec3 SeenStack::passed_twice(double cosine) const {
+  const FilmSpectra& film = state_->film;
+  std::vector<double> passed(film.wavelength_nm.size());
+  for (std::size_t i = 0; i < passed.size(); ++i) {
+    const auto [s, p] = film_light(film_at(film, i), film.wavelength_nm[i], cosine).passed;
+    passed[i] = (s * s + p * p) / 2;
+  }
+  return state_->setup.spaces.to_srgb * state_->setup.quadrature.integrate(passed);
+}
+
 void SeenStack::set_thickness(std::size_t layer, double thickness_nm) {
   state_->film.layers.at(layer).thickness_nm = thickness_nm;
 }

@@ -23,6 +23,11 @@ class SeenStack {
   ///   cosine   of incidence, [0, 1]
   Vec3 operator()(double cosine) const;
 
+  /// What is seen of D65, or the light of the options, through two such surfaces of a clear body, linear sRGB: the colour of
+  /// the squared transmittance into the base, s and p by themselves. What the body absorbs is left out.
+  ///   cosine   of incidence outside, (0, 1]
+  Vec3 passed_twice(double cosine) const;
+
   /// Gives a layer another thickness; it stays coherent or incoherent.
   ///   layer   index, the outermost being 0
   void set_thickness(std::size_t layer, double thickness_nm);

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text/text.h"
+#include "core/material/appearance.h"
 #include "core/material/limits.h"
 #include "core/material/names.h"
 #include "core/material/stack_text.h"
@@ -68,7 +69,9 @@ Stack opened(const StackText& text, const Media& media, std::string written) {
     out.layers.push_back({media.of_layer[i], *layer.thickness_nm, layer.coherent});
     if (written.empty()) append(out.text, media.parts[media.of_layer[i]].written, layer.rest, '/');
   }
-  out.text += written.empty() ? media.parts[media.base].written : written;
+  const StackPart& base = media.parts[media.base];
+  out.media[media.base].body = clear_body(base.found.material, base.found.chosen());
+  out.text += written.empty() ? base.written : written;
   return out;
 }
 

@@ -133,9 +133,9 @@ std::string body_note(const ProjectMaterial& material, const FoundF0& found, con
     out = "the body is clear (" + clarity(found.material, found.chosen()).reason +
           "): exports say so; here alpha 0 lets the environment through, as a ball of " +
           number(1000 * clear_ball_m, 3) + " mm bends and absorbs it";
-  } else if (std::holds_alternative<Stack>(found.chosen().optics)) {
-    out = curve_note(*surface_of(material, library).curve);
   }
+  if (std::holds_alternative<Stack>(found.chosen().optics))
+    out += (out.empty() ? "" : "\n") + curve_note(*surface_of(material, library).curve);
   if (const DefaultGloss standard = default_gloss(found.material, clear); material.gloss == standard.gloss)
     out += (out.empty() ? "" : "\n") + default_gloss_remark(standard);
   return out;

@@ -218,15 +218,20 @@ class Shader {
     if (scene_.surface.opacity >= 1) return {};
     if (environment_ != nullptr && is_clear_ball(scene_)) {
       const auto &n = sight.normal, &v = sight.viewer, &passing = *scene_.surface.passing;
-      const double eta = scene_.surface.n[1];
+      const auto& layers = scene_.surface.layers;
+      const double eta = layers ? layers->n : scene_.surface.n[1], cosine = std::clamp(nv, 0.0, 1.0);
       const f64::vec3 d = f64::beyond_ball({n[0], n[1], n[2]}, {v[0], v[1], v[2]}, eta),
-                      share = f64::through_ball(std::clamp(nv, 0.0, 1.0), eta,
-                                                {passing[0], passing[1], passing[2]});
+                      body{passing[0], passing[1], passing[2]};
+      const Vec3 twice = layers ? layers->twice.at(cosine) : Vec3{};
+      const f64::vec3 share = layers ? f64::through_layers(cosine, eta, body, {twice[0], twice[1], twice[2]})
+                                     : f64::through_ball(cosine, eta, body);
       const Vec3 light = environment_->specular(turn_.to_map({d.x, d.y, d.z}), double{scene_.surface.gloss});
       return light * Vec3{share.x, share.y, share.z} * (1 - scene_.surface.opacity);
     }
     double f = 0;
-    if (fresnel_ != nullptr)
+    if (scene_.surface.layers)
+      f = 1 - std::sqrt(std::clamp(luminance_of(scene_.surface.layers->twice.at(nv)), 0.0, 1.0));
+    else if (fresnel_ != nullptr)
       f = luminance_of(fresnel_->at(nv));
     else
       for (std::size_t c = 0; c < 3; ++c)

@@ -21,6 +21,16 @@ namespace etak {
 
 struct Mesh;  // core/math/mesh.h
 
+/// What goes through layers on a clear base.
+///   n       of the base against the outside
+///   twice   the light that passes two such surfaces, where it enters the body and leaves it, over the cosine outside; what
+///           the body absorbs is left out
+struct ClearLayers {
+  double n = 1.5;
+  FresnelCurve twice;
+  friend bool operator==(const ClearLayers&, const ClearLayers&) = default;
+};
+
 /// The optical values of a surface, for each channel of linear sRGB. The role of a model's parameter says
 /// which of them it takes.
 struct SurfaceValues {
@@ -37,6 +47,7 @@ struct SurfaceValues {
   // For clear bodies: what is left of D65 behind clear_ball_m of them, linear sRGB, above 0. A ball of that
   // diameter bends its environment; where there is none, and on a quad, the background is seen unbent.
   std::optional<Vec3> passing;
+  std::optional<ClearLayers> layers;  // of a stack with `passing`, in place of Fresnel's equations for its n
   std::optional<Optics> optics;  // n and k or a stack, for the spectral reference; none: n and k as given
   std::optional<FresnelCurve> curve;  // F over the angle of a stack of layers
   // The larger of the differences between f0 and the F0 of n, k and between f82 and the F82 of n, k. An F0
@@ -69,6 +80,9 @@ std::function<Vec3(double cosine)> seen_fresnel(const Optics& optics);
 
 /// F of a surface over the angle: its own curve, else that of its optics or of n and k.
 FresnelCurve curve_of(const SurfaceValues& surface);
+
+/// The luminance of F0 that decides how much is seen through a surface: of layers what they do not let pass.
+double unseen_luminance(const SurfaceValues& surface);
 
 /// What is to be said of a curve: how far it is off.
 std::string curve_note(const FresnelCurve& curve);

@@ -213,16 +213,24 @@ ETAK_RENDER_CLONES void add_light(const Chunk& c, const Range& range, const vec3
 
 #include "core/render/shade_ambient.h"
 
-// Adds the light of the environment that comes through a clear ball.
-//   opacity   of its body
-void add_clear_ball(Chunk& c, const Environment& environment, const EnvironmentTurn& turn, real lobe_gloss,
-                    real opacity, real eta, const vec3& passing) {
+vec3 narrowed(const Vec3& v) {
+  return vec3(real(v[0]), real(v[1]), real(v[2]));
+}
+
+// Adds the light of the environment that comes through a clear ball, with or without layers.
+void add_clear_ball(Chunk& c, const Environment& environment, const EnvironmentTurn& turn,
+                    const SurfaceValues& ball) {
+  const real opacity = real(ball.opacity), eta = real(ball.layers ? ball.layers->n : ball.n[1]);
+  const vec3 passing = narrowed(*ball.passing);
   for (std::size_t i = 0; i < c.count; ++i) {
     const vec3 n(c.normal[0][i], c.normal[1][i], c.normal[2][i]);
     const vec3 d = beyond_ball(n, vec3(c.viewer[0][i], c.viewer[1][i], c.viewer[2][i]), eta);
-    const Vec3 light = environment.specular(turn.to_map({d.x, d.y, d.z}), double(lobe_gloss));
+    const Vec3 light = environment.specular(turn.to_map({d.x, d.y, d.z}), double{ball.gloss});
     const real nv = clamp(c.local_viewer[2][i], real(0), real(1));
-    const vec3 share = (1 - opacity) * through_ball(nv, eta, passing);
+    const vec3 share =
+        (1 - opacity) * (ball.layers
+                             ? through_layers(nv, eta, passing, narrowed(ball.layers->twice.at(double(nv))))
+                             : through_ball(nv, eta, passing));
     c.specular[0][i] += share.x * real(light[0]);
     c.specular[1][i] += share.y * real(light[1]);
     c.specular[2][i] += share.z * real(light[2]);

@@ -2,10 +2,6 @@
 // Draws the picture of a scene. There is no include guard: include this behind shade_chunk.h and the
 // functions respond() and respond_far(), which evaluate a model.
 
-vec3 narrowed(const Vec3& v) {
-  return vec3(real(v[0]), real(v[1]), real(v[2]));
-}
-
 // The values that all chunks of a picture share.
 struct Shading {
   const Scene& scene;
@@ -284,14 +280,12 @@ void shade(const Shading& shading, Chunk& c) {
   if (!occluded) reflect_ambient(shading, c);
   for (std::size_t channel = 0; emits && channel < 3; ++channel)
     for (std::size_t i = 0; i < count; ++i) c.specular[channel][i] += c.emission[channel][i];
-  const real gloss = real(scene.surface.gloss);
   if (textured)
     see_through_texture(c);
   else if (shading.clear_ball)
-    add_clear_ball(c, *shading.environment, shading.turn, gloss, real(scene.surface.opacity),
-                   real(scene.surface.n[1]), narrowed(*scene.surface.passing));
+    add_clear_ball(c, *shading.environment, shading.turn, scene.surface);
   else if (scene.surface.opacity < 1)
-    see_through(c, real(scene.surface.opacity), real(shading.f0_luminance));
+    see_through(c, real(scene.surface.opacity), real(unseen_luminance(scene.surface)));
 }
 
 // Whether a point gets stripes, because its F0 is in the forbidden zone, or because it reflects more light

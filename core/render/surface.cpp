@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
 #include "core/fresnel/solve_index.h"
 #include "core/material/appearance.h"
@@ -40,6 +41,12 @@ Vec3 passing_of(const ClearBody& body) {
                ? std::clamp(std::pow(std::max(each, least), clear_ball_m / body.depth_m), least, 1.0)
                : 1;
   return out;
+}
+
+// n of the outside medium at helium's yellow line.
+double outside_index(const F0Options& options) {
+  if (const auto* constant = std::get_if<double>(&options.outside.index)) return *constant;
+  return grid_index(std::get<OpticalConstants>(options.outside.index), "outside").n[588 - grid_first_nm];
 }
 
 }  // namespace
@@ -113,14 +120,23 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
     }
   }
   solve_index(out, hint);
-  if (const auto* stack = std::get_if<Stack>(&dataset.optics)) {
-    out.optics = *stack;
-    out.curve = fitted_curve(
-        [seen = std::make_shared<const SeenStack>(*stack, options)](double c) { return (*seen)(c); });
-  }
-  if (diffuse == Vec3{0, 0, 0})
-    if (const Clarity body = clarity(material, dataset); body.clear) out.passing = passing_of(body.body);
+  std::optional<ClearBody> body;
+  if (diffuse == Vec3{0, 0, 0}) body = clear_body(material, dataset);
+  if (body) out.passing = passing_of(*body);
+  const auto* stack = std::get_if<Stack>(&dataset.optics);
+  if (stack == nullptr) return out;
+  out.optics = *stack;
+  const SeenStack seen(*stack, options);
+  out.curve = fitted_curve([&](double c) { return seen(c); });
+  if (body)
+    out.layers = {body->n_d.value_or(1.5) / outside_index(options),
+                  fitted_curve([&](double c) { return seen.passed_twice(c); })};
   return out;
+}
+
+double unseen_luminance(const SurfaceValues& surface) {
+  if (!surface.layers) return luminance_of(surface.f0);
+  return 1 - std::sqrt(std::clamp(luminance_of(surface.layers->twice.at(1)), 0.0, 1.0));
 }
 
 FresnelCurve curve_of(const SurfaceValues& surface) {

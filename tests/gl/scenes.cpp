@@ -179,6 +179,12 @@ std::vector<Variant> variants(const Model& model) {
     s.lights.lights.clear();
     s.lights.hemispheres.reset();
   });
+  changed("clear-ball-with-layers", [](Scene& s) {
+    s.surface.passing = Vec3{0.9, 0.6, 0.99};
+    s.surface.layers = {1.4, fitted_curve([](double c) {
+                          return Vec3{0.9 * c, 0.5 + 0.4 * c * c, 0.95 * (1 - (1 - c) * (1 - c))};
+                        })};
+  });
   changed("emission-and-occlusion-textures", [](Scene& s) {
     s.surface.emission = {0.5, 1, 0};
     s.surface.occlusion = 0.9;

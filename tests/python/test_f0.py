@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 import json
 import os
+import pickle
 import subprocess
 import tempfile
 import unittest
@@ -267,6 +268,58 @@ class Arrays(unittest.TestCase):
             np.testing.assert_allclose(
                 etak.f0(n=n[None], k=k[None], wavelength=NM, method=method)[0],
                 etak.f0(etak.dataset(NM, n=n, k=k), method=method).rgb, rtol=1e-12, err_msg=method)
+
+
+class CoatsAndInstruments(unittest.TestCase):
+    def test_a_coat_is_that_of_the_command_line_and_of_the_formula(self):
+        for name, coat in (("gold", 1.5), ("copper", "water:2mm"), ("anatase:40nm/titanium", "pmma")):
+            with self.subTest(name):
+                mine = etak.f0(name, coat=coat)
+                theirs = answer(name, "--coat", str(coat))
+                self.assertEqual(json.loads(mine.json())["results"][0], theirs)
+                self.assertEqual(dict(zip("rgb", mine.coat["f0_under"])), theirs["coat"]["f0_under"])
+                self.assertEqual(pickle.loads(pickle.dumps(mine)).coat, mine.coat)
+        gold = etak.f0("gold", coat=1.5)
+        self.assertEqual(gold.coat["n"], 1.5)
+        # At each wavelength F0 of the whole is the coat's own 0.04 and what gets out; of colours nearly.
+        np.testing.assert_allclose(0.04 + np.multiply(gold.coat["energy_left"], gold.coat["f0_under"]),
+                                   gold.coat["f0"], atol=0.004)
+        under = [etak.eval("f0_under", f0=a, f82=b, coat=1.5) for a, b in zip(gold.rgb[1:], gold.f82[1:])]
+        np.testing.assert_allclose(under, gold.coat["f0_under"][1:], atol=0.008)
+        self.assertIsNone(etak.f0("gold").coat)
+        self.assertIn("under the coat", str(gold))
+
+    def test_means_over_the_hemisphere_are_those_of_the_command_line(self):
+        gold = etak.f0("gold")
+        self.assertEqual(dict(zip("rgb", gold.mean)), answer("gold")["mean"]["exact"])
+        self.assertEqual(dict(zip("rgb", gold.f82_mean)), answer("gold")["mean"]["f82"])
+        np.testing.assert_allclose(gold.f82_mean, [etak.eval("f82_mean", f0=a, f82=b) for a, b in zip(gold.rgb, gold.f82)],
+                                   rtol=1e-12)
+        np.testing.assert_allclose(gold.mean, gold.f82_mean, atol=0.01)
+        self.assertIsNone(etak.f0("spectralon").mean)
+
+    def test_an_aperture_and_scatter_are_those_of_the_command_line(self):
+        mine = etak.f0("anatase:40nm/titanium", aperture=0.9, scatter=0.1)
+        theirs = answer("anatase:40nm/titanium", "--aperture", "0.9", "--scatter", "0.1")
+        self.assertEqual(json.loads(mine.json())["results"][0], theirs)
+        self.assertIsNone(mine.f82)
+        self.assertIn("cone of aperture 0.9", mine.policy)
+        many = etak.f0("rutile", axis_average=True, aperture=0.6)
+        self.assertEqual(dict(zip("rgb", many.rgb)), answer("rutile", "--axis-average", "--aperture", "0.6")["linear"])
+
+    def test_what_cannot_be_is_refused_with_one_line(self):
+        for settings, text in (({"coat": "copper"}, "^coat: copper/.* is not clear"), ({"coat": 0}, "^coat: 0; expected"),
+                               ({"coat": "pmma:?mm"}, "^coat: pmma"), ({"coat": 1.5, "aperture": 0.5}, "^coat: beside aperture"),
+                               ({"coat": 1.5, "axis_average": True}, "^coat: beside axis.average"),
+                               ({"aperture": 1}, "^aperture: 1; expected 0 to below"), ({"scatter": 2}, "^scatter: 2"),
+                               ({"aperture": "wide"}, "^aperture: wide; expected a number")):
+            with self.subTest(text), self.assertRaisesRegex(etak.Error, text) as caught:
+                etak.f0("gold", **settings)
+            self.assertNotIn("\n", str(caught.exception))
+        with self.assertRaisesRegex(etak.Error, "^coat: is given beside arrays"):
+            etak.f0(n=[1.5, 1.5], wavelength=[380, 780], coat=1.5)
+        with self.assertRaisesRegex(etak.Error, "refused: reflectance at normal incidence"):
+            etak.f0("spectralon", coat=1.5)
 
 
 class Several(unittest.TestCase):

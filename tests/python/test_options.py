@@ -16,7 +16,7 @@ VERBS = {"plot": "curve"}  # where a function has not the name of its verb
 NOT_IN_PYTHON = {
     "curve": {"force", "integration", "class", "scale", "straight", "dark"},  # these of the file are of plot()
     "plot": {"integration", "class"},
-    "f0": {"stdin_format", "allow_empty", "all", "all_datasets", "force", "integration", "class", "sweep", "aperture", "scatter", "coat"},
+    "f0": {"stdin_format", "allow_empty", "all", "all_datasets", "force", "integration", "class", "sweep"},
     "validate": {"changed_since", "min_severity", "mask", "fix", "cache_key", "max_warnings", "exit_zero",
                  "write_baseline", "force"},
     "pack": {"no_validate", "cache", "cache_key", "cache_size"},  # validate=False

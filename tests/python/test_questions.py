@@ -131,6 +131,8 @@ class Questions(unittest.TestCase):
         self.assertEqual(etak.export("water", "unreal"), json.loads(said("export", "water", "--to", "unreal", "--format", "json")))
         self.assertEqual(etak.export("marble", "blender", diffuse="#ff8040"), json.loads(
             said("export", "marble", "--to", "blender", "--diffuse", "#ff8040", "--format", "json")))
+        self.assertEqual(etak.export("gold", "openpbr", coat=1.5), json.loads(
+            said("export", "gold", "--to", "openpbr", "--coat", "1.5", "--format", "json")))
         self.assertEqual(etak.export("sapphire", "hex", axis_average=True), json.loads(
             said("export", "sapphire", "--to", "hex", "--axis-average", "--format", "json")))
         with tempfile.TemporaryDirectory() as folder:

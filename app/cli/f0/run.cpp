@@ -333,30 +333,10 @@ class F0Run {
   std::vector<F0Row> rows_;     // output in other forms
 };
 
-Instrument instrument_of(const F0Arguments& arguments, const F0Options& options) {
-  Instrument out;
-  const auto read = [](const std::string& text, const char* option, double& value) {
-    if (!text.empty() && !parse_number(text, value)) throw Error::at(option, printable(text), "a number");
-  };
-  read(arguments.aperture, "--aperture", out.aperture);
-  read(arguments.scatter, "--scatter", out.scatter);
-  validate(out, options);
-  if (out.any() && (arguments.output.format == "html" || arguments.output.format == "svg" ||
-                    arguments.compute.axis_average))
-    throw Error::at(out.aperture > 0 ? "--aperture" : "--scatter",
-                    "beside --axis-average, or in a page or strip", "rows of single datasets");
-  return out;
-}
-
-std::optional<Coat> coat_of(F0Arguments& arguments, const F0Options& options, const Instrument& instrument) {
-  if (arguments.coat.empty()) return std::nullopt;
-  const std::string& format = arguments.output.format;
-  if (instrument.any() || format == "html" || !arguments.sweep.empty() || arguments.compute.axis_average)
-    throw Error::at("--coat", "beside --aperture, --scatter, --sweep or --axis-average, or in a page",
-                    "rows of single datasets");
-  Coat out = coat_setting(arguments.coat, arguments.library.when_asked());
-  validate(out, options);
-  return out;
+std::optional<Coat> coat_of(F0Arguments& arguments, const F0Options& options) {
+  if (!arguments.coat.empty() && (arguments.output.format == "html" || !arguments.sweep.empty()))
+    throw Error::at("--coat", "beside --sweep, or in a page", "rows of single datasets");
+  return coat_option(arguments.coat, arguments.library.when_asked(), options, arguments.compute.axis_average);
 }
 
 }  // namespace
@@ -375,20 +355,19 @@ int answer_f0(F0Arguments& arguments) {
                     "no --dataset and no --axis-average");
   // A bad --library is an error even where no name is looked up.
   if (!arguments.library.folders.empty()) (void)arguments.library.get();
-  const F0Solver solver(f0_options(arguments.compute, arguments.library));
+  F0Options options = f0_options(arguments.compute, arguments.library);
+  // Of bare F, which no instrument sees.
+  options.mean = !options.instrument.any() && (output.format == "json" || output.format == "jsonl" ||
+                                               (output.format == "table" && arguments.verbose));
+  const F0Solver solver(std::move(options));
   const bool with_source = output.format != "csv";
-  const Instrument instrument = instrument_of(arguments, solver.options());
-  const F0Job job{solver,
-                  table_options(arguments.tables),
-                  arguments.compute.axis_average,
-                  with_source,
-                  arguments.stats,
-                  output.format == "html",
-                  instrument,
-                  coat_of(arguments, solver.options(), instrument)};
-  if (job.instrument.aperture > 0)
-    remark(output,
-           "mean over the cone of aperture " + number(job.instrument.aperture, 4) + "; F82 is left out");
+  const F0Job job{
+      solver,          table_options(arguments.tables), arguments.compute.axis_average,      with_source,
+      arguments.stats, output.format == "html",         coat_of(arguments, solver.options())};
+  if (output.format == "svg" && solver.options().instrument.any())
+    throw Error::at("--format svg", "beside --aperture or --scatter: a strip over angles", "another form");
+  if (const double aperture = solver.options().instrument.aperture; aperture > 0)
+    remark(output, "mean over the cone of aperture " + number(aperture, 4) + "; F82 is left out");
   if (!arguments.sweep.empty()) return answer_film_sweep(arguments, job);
   if (output.format == "svg")
     throw Error::at("--format svg", "without --sweep", "a stack and --sweep, or another form");

@@ -20,7 +20,7 @@ struct F0Arguments {
   unsigned threads = 0;
   std::string sort;
   std::string sweep;
-  std::string aperture, scatter, coat;
+  std::string coat;
   bool stats = false;
   bool verbose = false;
   bool allow_empty = false;  // the list of --files-from may be empty

@@ -32,7 +32,7 @@ int answer_film_sweep(F0Arguments& arguments, const F0Job& job) {
     write_output(output, film_strip(sweep, options));
     return exit_ok;
   }
-  const std::vector<F0Row> rows = film_rows(sweep, job.solver, material, dataset, job.instrument);
+  const std::vector<F0Row> rows = film_rows(sweep, job.solver, material, dataset);
   std::string text = output.format == "csv"     ? film_csv(sweep, rows)
                      : output.format == "json"  ? f0_json(rows, options)
                      : output.format == "jsonl" ? f0_jsonl(rows, options)

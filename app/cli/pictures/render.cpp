@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -320,9 +321,23 @@ int draw_within_memory(RenderArguments& arguments) {
   Scene scene;
   Shared shared{mesh_of(arguments), nullptr};
   if (!arguments.sweep.empty()) {
-    const Image row = draw_sweep(
-        arguments, [&](RenderArguments& one) { return draw_one(one, threads, scene, notes, stats, shared); });
+    // Of the curves of layers only the worst is told.
+    double worst = -1;
+    std::vector<std::string> of_layers;
+    const Image row = draw_sweep(arguments, [&](RenderArguments& one) {
+      SceneNotes its;
+      Image out = draw_one(one, threads, scene, its, stats, shared);
+      const auto& curve = scene.surface.curve;
+      if (curve && curve->error > worst) {
+        worst = curve->error;
+        of_layers = std::move(its.remarks);
+      } else if (!curve) {
+        std::ranges::move(its.remarks, std::back_inserter(notes.remarks));
+      }
+      return out;
+    });
     write_picture(arguments, scene, row);
+    std::ranges::move(of_layers, std::back_inserter(notes.remarks));
     std::set<std::string> told;
     for (const std::string& each : notes.remarks)
       if (told.insert(each).second) remark(arguments.stats, each);

@@ -35,6 +35,7 @@ struct ExportArguments {
   std::string to, fit = "clamp", gltf_form = "specular-ior";
   std::vector<std::string> targets;
   std::string diffuse, emission;  // colours as typed
+  std::string coat;
   RoughnessArguments rough;
   double opacity = 1;
   unsigned threads = 0;
@@ -87,6 +88,9 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
       std::nullopt, given_gloss(arguments.rough), arguments.opacity, arguments.compute.axis_average, {}};
   if (!arguments.diffuse.empty()) wishes.diffuse = typed_share("--diffuse", arguments.diffuse);
   if (!arguments.emission.empty()) wishes.emission = typed_emission(arguments.emission);
+  wishes.coat = coat_option(arguments.coat, arguments.library.when_asked(), solver.options(),
+                            arguments.compute.axis_average);
+  validate(wishes, solver.options());
   std::vector<Answer> answers(inputs.size());
   parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) answers[i] = answer(inputs[i], wishes, tables, solver);
@@ -255,6 +259,10 @@ void add_export(CommandLine& line) {
   add_color_option(verb, "--diffuse", arguments->diffuse,
                    "diffuse colour of dielectrics, linear (default black, and clear where the data say so)");
   verb.option("--opacity", arguments->opacity, "0 to 1").show_default();
+  verb.option(
+          "--coat", arguments->coat,
+          "a smooth clear layer over the material: an index, or a clear material, which absorbs through a thickness (1.5, pmma, water:2mm); targets without a coat get F0 of the whole")
+      .value_name("N|MATERIAL[:THICKNESS]");
   add_color_option(verb, "--emission", arguments->emission,
                    "radiance that the surface sends out by itself, linear; default black");
   verb.option(

@@ -34,10 +34,11 @@ void add_f0(CommandLine& line) {
               "order of the rows, in place of that of the inputs: Y, from dark to bright")
       .words({"Y"});
   verb.option(
-          "--aperture", arguments->aperture,
+          "--aperture", arguments->compute.aperture,
           "numerical aperture of an objective, below the index outside: the mean over its cone, pupil filled; no F82")
       .value_name("NA");
-  verb.option("--scatter", arguments->scatter, "share of the reflectance that scatter takes away, 0 to 1")
+  verb.option("--scatter", arguments->compute.scatter,
+              "share of the reflectance that scatter takes away, 0 to 1")
       .value_name("SHARE");
   verb.option(
           "--coat", arguments->coat,

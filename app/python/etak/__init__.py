@@ -96,7 +96,8 @@ def f0(  # type: ignore[misc]  # a list is no Any
     material: Union[List[Any], Tuple[Any, ...]], *, dataset: str = ..., axis_average: bool = ..., observer: Table = ...,
     illuminant: Table = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
     integration_bound: Optional[Number] = ..., space: Optional[str] = ..., ocio: Optional[Path] = ...,
-    outside: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
+    outside: Optional[Number] = ..., aperture: Optional[float] = ..., scatter: Optional[float] = ...,
+    coat: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
     columns: Optional[str] = ..., duplicates: Optional[str] = ..., material_class: Optional[str] = ...,
     origin: Optional[str] = ..., library: Library = ..., threads: int = ...,
 ) -> List[F0]: ...
@@ -107,7 +108,8 @@ def f0(
     material: Any, *, dataset: str = ..., axis_average: bool = ..., observer: Table = ...,
     illuminant: Table = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
     integration_bound: Optional[Number] = ..., space: Optional[str] = ..., ocio: Optional[Path] = ...,
-    outside: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
+    outside: Optional[Number] = ..., aperture: Optional[float] = ..., scatter: Optional[float] = ...,
+    coat: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
     columns: Optional[str] = ..., duplicates: Optional[str] = ..., material_class: Optional[str] = ...,
     origin: Optional[str] = ..., library: Library = ..., threads: int = ...,
 ) -> F0: ...
@@ -128,6 +130,7 @@ def f0(
     dataset: str = "", axis_average: bool = False, observer: Table = None, illuminant: Table = None,
     interpolation: Optional[str] = None, method: Optional[str] = None, integration_bound: Optional[Number] = None,
     space: Optional[str] = None, ocio: Optional[Path] = None, outside: Optional[Number] = None,
+    aperture: Optional[float] = None, scatter: Optional[float] = None, coat: Optional[Number] = None,
     allow_extrapolation: bool = False, unit: Optional[str] = None, columns: Optional[str] = None,
     duplicates: Optional[str] = None, material_class: Optional[str] = None, origin: Optional[str] = None,
     library: Library = library, threads: int = 0,
@@ -139,6 +142,8 @@ def f0(
                      Material or Dataset. A pathlib.Path is always a file
       dataset        its id or unique beginning, in place of the preferred one
       axis_average   crystals as random grains
+      aperture, scatter   the mean over the cone of an objective, and the share of the light that scatter takes away
+      coat           a clear layer over it: an index, or a clear material, maybe with a thickness ("water:2mm"); F0.coat
       unit, columns, duplicates   how tables are read, as `etak f0 --help-all` tells
       material_class, origin      what a file does not say of itself: --class and --origin
 
@@ -172,9 +177,9 @@ def f0(
     """
     given = locals()
     if material is None:
-        for name in ("columns", "duplicates", "material_class", "origin"):
+        for name in ("columns", "duplicates", "material_class", "origin", "aperture", "scatter", "coat"):
             if given[name] is not None:
-                raise Error(f"{name}: is given beside arrays; expected a table in a file")
+                raise Error(f"{name}: is given beside arrays; expected a material or a table in a file")
         return _core.f0_of_rows(given, library, threads)
     if n is not None or k is not None or reflectance is not None or wavelength is not None:
         raise Error("material: is given beside arrays; expected one of the two")
@@ -372,8 +377,8 @@ def delta_e(a: Any, b: Any) -> Any:
 
 def export(
     materials: Any, to: str = "values", *, target: Any = None, gloss: Optional[float] = None,
-    roughness: Optional[float] = None, diffuse: Any = None, opacity: float = 1, fit: Optional[str] = None,
-    gltf_form: Optional[str] = None, dataset: str = "", axis_average: bool = False, observer: Table = None,
+    roughness: Optional[float] = None, diffuse: Any = None, opacity: float = 1, coat: Optional[Number] = None,
+    fit: Optional[str] = None, gltf_form: Optional[str] = None, dataset: str = "", axis_average: bool = False, observer: Table = None,
     illuminant: Table = None, interpolation: Optional[str] = None, method: Optional[str] = None,
     integration_bound: Optional[Number] = None, space: Optional[str] = None, ocio: Optional[Path] = None,
     outside: Optional[Number] = None, allow_extrapolation: bool = False, unit: Optional[str] = None,
@@ -386,7 +391,7 @@ def export(
       to          "mtlx" or "gltf": a text; "glb": bytes; "values", or the id of one target: what `etak export --to
                   values --format json` writes, as a dictionary
       target      of "values": only these
-      gloss, roughness, diffuse, opacity, fit, gltf_form   as options of `etak export`; a colour may be a hex text
+      gloss, roughness, diffuse, opacity, coat, fit, gltf_form   as options of `etak export`; a colour may be a hex text
       axis_average, material_class, origin                 as of f0()
 
     What was assumed and changed is in the dictionary; of texts and bytes it is a warning each.

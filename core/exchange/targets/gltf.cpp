@@ -19,6 +19,10 @@ void write_gltf(const TargetJob& j) {
     j.add("KHR_materials_volume.attenuationColor", v.volume->color, plain_text);
     j.add("KHR_materials_volume.attenuationDistance", v.volume->depth_m);
   }
+  if (v.clearcoat > 0) {
+    j.add("KHR_materials_clearcoat.clearcoatFactor", v.clearcoat);
+    j.add("KHR_materials_clearcoat.clearcoatRoughnessFactor", 0);
+  }
   j.opacity("baseColorFactor alpha");
 }
 
@@ -33,7 +37,7 @@ void write_gltf_gloss(const TargetJob& j) {
 
 }  // namespace
 
-constinit const TargetRow target_gltf{{"gltf", "glTF 2.0 metal-rough"}, write_gltf};
+constinit const TargetRow target_gltf{{"gltf", "glTF 2.0 metal-rough", true}, write_gltf};
 constinit const TargetRow target_gltf_gloss{{"gltf-specular-glossiness", "glTF 2.0 specular-glossiness"},
                                             write_gltf_gloss};
 

@@ -17,11 +17,18 @@ void write_open_pbr(const TargetJob& j) {
     j.add("transmission_color", v.transmission_color, plain_text);
     j.add("transmission_depth", v.transmission_depth);
   }
+  if (v.coat_weight > 0) {
+    j.add("coat_weight", v.coat_weight);
+    j.add("coat_color", v.coat_color, plain_text);
+    j.add("coat_roughness", 0);
+    j.add("coat_ior", v.coat_ior);
+    j.add("coat_darkening", v.coat_darkening);
+  }
   j.opacity("geometry_opacity");
 }
 
 }  // namespace
 
-constinit const TargetRow target_open_pbr{{"openpbr", "OpenPBR 1.1"}, write_open_pbr};
+constinit const TargetRow target_open_pbr{{"openpbr", "OpenPBR 1.1", true}, write_open_pbr};
 
 }  // namespace etak

@@ -36,7 +36,9 @@ struct TargetJob {
   }
   void note(std::string text) const { out.notes.push_back(std::move(text)); }
   // The index of a clear body: that of the luminance of F0.
-  double index() const { return ior_of_f0(std::clamp(luminance(s.f0, s.space), 0.0, largest_dielectric_f0)); }
+  double index() const {
+    return s.ior.value_or(ior_of_f0(std::clamp(luminance(s.f0, s.space), 0.0, largest_dielectric_f0)));
+  }
   std::string index_text() const { return "index " + number(index(), 5); }
   // The note about absorption over a depth, for targets without a field for it.
   void note_absorption(const char* where) const {

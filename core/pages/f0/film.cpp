@@ -60,7 +60,7 @@ FilmSweep film_sweep(const Stack& stack, const std::string& text) {
 }
 
 std::vector<F0Row> film_rows(const FilmSweep& sweep, const F0Solver& solver, const Material& material,
-                             const Dataset& dataset, const Instrument& instrument) {
+                             const Dataset& dataset) {
   std::vector<F0Row> out;
   for (const double nm : sweep.thickness_nm) {
     Dataset one = dataset;
@@ -68,8 +68,7 @@ std::vector<F0Row> film_rows(const FilmSweep& sweep, const F0Solver& solver, con
     F0Row& row = out.emplace_back();
     set_record(row, material, one);
     row.path = std::get<Stack>(one.optics).text;
-    row.instrument = instrument;
-    row.result = seen_through(instrument, solver.options(), one.optics, solver.solve(one.optics, one.flags));
+    row.result = solver.solve(one.optics, one.flags);
   }
   return out;
 }

@@ -25,7 +25,7 @@ FilmSweep film_sweep(const Stack& stack, const std::string& text);
 
 /// A row for each thickness; its path is the text of the stack.
 std::vector<F0Row> film_rows(const FilmSweep& sweep, const F0Solver& solver, const Material& material,
-                             const Dataset& dataset, const Instrument& instrument = {});
+                             const Dataset& dataset);
 
 /// The CSV form of the rows: that of f0_csv_header() behind a column `thickness_nm`.
 std::string film_csv(const FilmSweep& sweep, std::span<const F0Row> rows);

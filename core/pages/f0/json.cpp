@@ -134,7 +134,13 @@ std::string json_integration(const IntegrationStep& step) {
                      -1);
 }
 
-std::vector<Member> result_members(const F0Row& row) {
+// The mean over a diffuse hemisphere: of the reflectance itself, and of F82's curve through F0 and F82.
+std::string json_mean(const F0Result& r) {
+  const auto closed = mean_of_f82(r);
+  return json_object({{"exact", json(*r.mean)}, {"f82", closed ? json(*closed) : "null"}}, -1);
+}
+
+std::vector<Member> result_members(const F0Row& row, const Instrument& instrument) {
   const F0Result& r = row.result;
   const bool has = !r.refused();
   const bool is_table = r.coverage.last_nm > 0 && !r.coverage.is_formula;
@@ -164,10 +170,11 @@ std::vector<Member> result_members(const F0Row& row) {
                               {"doubtful", row.doubt.empty() ? null : json(row.doubt)},
                               {"clear", json_clear(row.clear, json)},
                               {"refused", has ? null : json(r.refusal)}};
-  if (row.instrument.any())
-    members.push_back({"instrument", json_object({{"aperture", json(row.instrument.aperture)},
-                                                  {"scatter", json(row.instrument.scatter)}},
-                                                 -1)});
+  if (r.mean) members.push_back({"mean", json_mean(r)});
+  if (instrument.any())
+    members.push_back(
+        {"instrument",
+         json_object({{"aperture", json(instrument.aperture)}, {"scatter", json(instrument.scatter)}}, -1)});
   if (row.coat) members.push_back({"coat", json_coat(*row.coat)});
   if (!row.layers.empty()) {
     std::vector<std::string> layers;
@@ -187,7 +194,9 @@ std::vector<Member> result_members(const F0Row& row) {
 }  // namespace
 
 std::string f0_json(std::span<const F0Row> rows, const F0Options& options) {
-  const auto result = [](const F0Row& row) { return json_object(result_members(row), 4); };
+  const auto result = [&](const F0Row& row) {
+    return json_object(result_members(row, options.instrument), 4);
+  };
   return json_document(schema_name, {{"policy", json_object(policy_members(options), 2)},
                                      {"results", json_lines_of(rows, 2, result)}});
 }
@@ -197,7 +206,7 @@ std::string f0_jsonl(std::span<const F0Row> rows, const F0Options& options) {
   std::string out;
   for (const F0Row& row : rows) {
     std::vector<Member> members{{"schema", json(schema_name)}};
-    for (Member& member : result_members(row)) members.push_back(std::move(member));
+    for (Member& member : result_members(row, options.instrument)) members.push_back(std::move(member));
     members.push_back({"policy", shared_policy});
     append(out, json_object(members, -1), '\n');
   }

@@ -2,6 +2,7 @@
 // The text below a table of F0: what its flags mean, and how its numbers were computed.
 #include <algorithm>
 
+#include "core/base/number.h"
 #include "core/base/text/text.h"
 #include "core/base/text/wrap.h"
 #include "core/pages/f0/report.h"
@@ -35,6 +36,24 @@ void append_bodies(std::string& out, std::span<const F0Row> rows, std::size_t li
   }
 }
 
+// What each material reflects on average.
+void append_means(std::string& out, std::span<const F0Row> rows, std::size_t line_width) {
+  const auto text = [](const LinearRgb& c) {
+    return joined(vec(c), " ", [](double value) { return fixed(value, 4); });
+  };
+  bool any = false;
+  for (const F0Row& row : rows) {
+    const F0Result& r = row.result;
+    if (!r.mean) continue;
+    if (!any) out += '\n';
+    any = true;
+    std::string line = line_text(row.path) + ", mean F over a diffuse hemisphere: " + text(*r.mean);
+    if (const auto closed = mean_of_f82(r))
+      line += "; of F82's curve through F0 and F82, in closed form: " + text(*closed);
+    out += wrapped(line, 0, line_width);
+  }
+}
+
 constexpr std::string_view coat_text =
     "Under the coat: what the base reflects of light in the coat, F82 at cosine 1/7 in it. With the coat: all that is seen from outside, F82 at cosine 1/7 outside. Energy left: the share of what the base reflects head on that gets out of the coat.";
 
@@ -44,6 +63,7 @@ std::string f0_legend(std::span<const F0Row> rows, const F0Options& options, std
   std::string out;
   append_meanings(out, rows, line_width);
   append_bodies(out, rows, line_width);
+  append_means(out, rows, line_width);
   if (std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return row.coat.has_value(); }))
     append(out, '\n', wrapped(coat_text, 0, line_width));
   if (!rows.empty()) out += '\n';

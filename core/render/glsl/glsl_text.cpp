@@ -122,18 +122,28 @@ class SceneText {
   // The luminance of F0, of the texel where the textures hold F0.
   std::string f0_luminance() {
     if (textures_ != nullptr && textures_->specular) return "luminance_of(texel_f0)";
-    glue_.uniform("f0_luminance", luminance_of(scene_.surface.f0));
+    glue_.uniform("f0_luminance", unseen_luminance(scene_.surface));
     return "f0_luminance";
   }
 
   // The environment through a clear ball. An atlas has no clear bodies.
   void clear_ball() {
     glue_.uniform("opacity", surface_.opacity());
-    glue_.uniform("ball_n", scene_.surface.n[1]);
+    const auto& layers = scene_.surface.layers;
+    glue_.uniform("ball_n", layers ? layers->n : scene_.surface.n[1]);
     glue_.uniform("ball_level", level_of_gloss(scene_.surface.gloss));
     glue_.uniform("ball_passing", *scene_.surface.passing);
-    glue_.line(
-        "    object += (1.0 - opacity) * through_ball(clamp(dot(n, v), 0.0, 1.0), ball_n, ball_passing) *");
+    std::string curve;
+    for (std::size_t i = 0; layers && i < FresnelCurve::count; ++i) {
+      const std::string name = "ball_r" + std::to_string(i);
+      glue_.uniform(name, layers->twice.colors[i]);
+      curve += name + ", ";
+    }
+    const std::string nv = "clamp(dot(n, v), 0.0, 1.0)";
+    glue_.line("    object += (1.0 - opacity) * " +
+               (layers ? "through_layers(" + nv + ", ball_n, ball_passing, f_curve(" + curve + nv + "))"
+                       : "through_ball(" + nv + ", ball_n, ball_passing)") +
+               " *");
     glue_.line("              environment_specular(" +
                in_environment_map(scene_, "beyond_ball(n, v, ball_n)") + ", ball_level);");
     glue_.use("transparency", "a clear ball bends the environment");

@@ -170,4 +170,8 @@ TEST_CASE("coats that are none are refused with one line each") {
   exact.method = Method::exact;
   CHECK(contains(error_of([&] { validate(coat_setting("1.5", names_of_coats), exact); }),
                  "exact beside a coat; expected 1nm or another sum"));
+  F0Options cone;
+  cone.instrument.aperture = 0.5;
+  CHECK(contains(error_of([&] { validate(coat_setting("1.5", names_of_coats), cone); }),
+                 "expected one of them"));
 }

@@ -5,10 +5,13 @@
 #include <random>
 
 #include "core/color/delta_e.h"
+#include "core/color/luminance.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
 #include "core/material/seen_stack.h"
 #include "core/material/stack.h"
+#include "core/render/environment.h"
+#include "core/render/optics_grid.h"
 #include "core/render/reference.h"
 #include "core/render/typed.h"
 #include "tests/support.h"
@@ -150,6 +153,77 @@ TEST_CASE("the picture of a stack is that of the reference, which takes the exac
             REQUIRE(std::abs(quick.at(x, y)[c] - truth) <= 0.01F * std::abs(truth) + 0.0015F);
           }
     }
+  }
+}
+
+TEST_CASE(
+    "a clear base lets pass what passes two surfaces with their layers, by the printed formula of one film") {
+  const Material material = film_material("magnesium_fluoride:100nm/fused_silica");
+  const SurfaceValues surface = film_surface(material);
+  REQUIRE(surface.layers);
+  REQUIRE(surface.passing);
+  CHECK(surface.layers->n == Approx(1.4585).margin(2e-4));
+  const auto bare = film_library().find("fused_silica");
+  CHECK(*surface.passing == *film_surface(*bare).passing);
+  CHECK_FALSE(film_surface(*bare).layers);
+  // R of one film at normal incidence: (r^2 + s^2 + 2 r s cos 2 b) / (1 + r^2 s^2 + 2 r s cos 2 b); neither absorbs.
+  const Stack& stack = std::get<Stack>(material.preferred_dataset().optics);
+  const SeenStack seen(stack);
+  Spectrum twice;
+  const GridIndex film = grid_index(stack.media[stack.layers[0].medium].constants, "film"),
+                  base = grid_index(stack.media[stack.base].constants, "base");
+  for (std::size_t i = 0; i < grid_size; ++i) {
+    const double nm = grid_first_nm + double(i), r = (1 - film.n[i]) / (1 + film.n[i]),
+                 s = (film.n[i] - base.n[i]) / (film.n[i] + base.n[i]),
+                 turn = 2 * r * s * std::cos(4 * 3.14159265358979 * film.n[i] * 100 / nm);
+    const double passes = 1 - (r * r + s * s + turn) / (1 + r * r * s * s + turn);
+    twice.wavelength_nm.push_back(nm);
+    twice.value.push_back(passes * passes);
+  }
+  const LinearRgb expected = F0Solver({}).solve(Reflectance{twice}).linear;
+  for (std::size_t c = 0; c < 3; ++c) {
+    CHECK(seen.passed_twice(1)[c] == Approx(vec(expected)[c]).margin(1e-5));
+    CHECK(surface.layers->twice.at(1)[c] == Approx(vec(expected)[c]).margin(2e-3));
+    CHECK(surface.layers->twice.at(0.2)[c] == Approx(seen.passed_twice(0.2)[c]).margin(5e-3));
+  }
+  // The coat takes a third of what bare glass reflects away, and the light is not lost.
+  CHECK(unseen_luminance(surface) < 0.7 * unseen_luminance(film_surface(*bare)));
+  // A film of metal lets pass less than it does not reflect.
+  const SurfaceValues gold = film_surface(film_material("gold:30nm/fused_silica"));
+  REQUIRE(gold.layers);
+  CHECK(unseen_luminance(gold) > luminance_of(gold.f0) + 0.1);
+  CHECK_FALSE(film_surface(film_material("anatase:40nm/titanium")).layers);
+}
+
+TEST_CASE("a film of nothing on glass is drawn as bare glass is, in an environment and before a background") {
+  const Environment around(environment_picture(*find_studio("studio"), 128), 1, "studio", 1);
+  const Scene layered = [&] {
+    Scene out = film_scene(film_material("air:0nm/fused_silica"), "beckmann-smith");
+    out.surface.opacity = 0;
+    out.background = {0.5, 0.5, 0.5};
+    return out;
+  }();
+  const Scene bare = [&] {
+    Scene out = film_scene(*film_library().find("fused_silica"), "beckmann-smith");
+    out.surface.opacity = 0;
+    out.background = layered.background;
+    out.specular = layered.specular;
+    out.specular_values = layered.specular_values;
+    return out;
+  }();
+  for (const Environment* environment : {&around, static_cast<const Environment*>(nullptr)}) {
+    Image with, without;
+    render_cpu(layered, environment, 1, Precision::f64, with);
+    render_cpu(bare, environment, 1, Precision::f64, without);
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 48; ++x)
+        // At the rim the index of bare glass, which is solved from F0, bends a little less.
+        for (std::size_t c = 0; c < 3 && std::hypot(x - 23.5, y - 23.5) < 17; ++c)
+          REQUIRE(std::abs(with.at(x, y)[c] - without.at(x, y)[c]) <= 0.02F * without.at(x, y)[c] + 0.005F);
+    const Reference truth = render_reference(layered, environment, {1, 0, 2}),
+                    plain = render_reference(bare, environment, {1, 0, 2});
+    for (int x = 10; x < 38; ++x)
+      CHECK(truth.picture.at(x, 24)[1] == Approx(plain.picture.at(x, 24)[1]).epsilon(0.02));
   }
 }
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Based on:
+//   Khronos Group, KHR_materials_clearcoat: fresnel_coat(), with the index 1.5
+//   Academy Software Foundation, MaterialX 1.39, the graph of open_pbr_surface; OpenPBR 1.1, "Coat"
+//   Blender 4.2, the Principled BSDF of Cycles
+#include "core/exchange/export_coat.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/exchange/color_parts.h"
+#include "core/exchange/engine_values.h"
+#include "core/fresnel/fresnel.h"
+
+namespace etak {
+namespace {
+
+// Of one colour and angle. Where nothing passes, nothing is seen of a base.
+LinearRgb base_part(const LinearRgb& whole, double coat, const LinearRgb& passes) {
+  Vec3 out{};
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = (vec(whole)[c] - coat) / (std::max(vec(passes)[c], 1e-9) * (1 - coat));
+  return to_rgb(out);
+}
+
+ExportSurface without_coat(const ExportSurface& surface, const LinearRgb& f0, const LinearRgb& f82) {
+  ExportSurface out = surface;
+  out.ior = ior_of_f0(std::clamp(luminance(surface.f0, surface.space), 0.0, largest_dielectric_f0));
+  out.f0 = f0;
+  out.f82 = f82;
+  out.coat.reset();
+  return out;
+}
+
+}  // namespace
+
+TargetCoat target_coat(const ExportCoat& coat, bool longer_aslant) {
+  TargetCoat out{f64::f0(coat.n, 0), f64::fresnel_exact(coat.n, 0, f82_cosine), coat.passes, coat.passes};
+  if (!longer_aslant) return out;
+  // Of an index below 1 no light goes in there.
+  const double squared = std::max(1 - (1 - f82_cosine * f82_cosine) / (coat.n * coat.n), 1e-4);
+  Vec3 aslant = vec(coat.passes);
+  for (double& channel : aslant) channel = std::pow(std::max(channel, 0.0), 1 / std::sqrt(squared));
+  out.passes82 = to_rgb(aslant);
+  return out;
+}
+
+TargetCoat fixed_coat() {
+  constexpr double f0 = 0.04;
+  return {f0, f64::f_schlick(f0, f82_cosine)};
+}
+
+void note_fixed_coat(const ExportCoat& coat, Changes& changes) {
+  note_change(changes, "F0 of the coat", {f64::f0(coat.n, 0)}, {fixed_coat().f0}, "fixed",
+              "the coat has the index 1.5");
+}
+
+ExportCoat export_coat(const Coat& coat, const CoatedF0& values) {
+  return {coat.label,
+          values.n,
+          values.passes,
+          values.under.linear,
+          values.under.f82.value(),
+          values.whole.linear,
+          values.whole.f82.value()};
+}
+
+ExportSurface under_coat(const ExportSurface& surface, const TargetCoat& target) {
+  if (!surface.coat) return surface;
+  const ExportCoat& coat = *surface.coat;
+  return without_coat(surface, base_part(coat.f0, target.f0, target.passes),
+                      base_part(coat.f82, target.f82, target.passes82));
+}
+
+ExportSurface as_whole(const ExportSurface& surface) {
+  return surface.coat ? without_coat(surface, surface.coat->f0, surface.coat->f82) : surface;
+}
+
+std::string whole_note(const ExportCoat& coat) {
+  return "no field for the coat " + coat.label + ": F0 and the edge are those of the base with its coat";
+}
+
+}  // namespace etak
