@@ -313,6 +313,25 @@ TEST_CASE("tiles are judged apart: overlaps, gutters, mips and equal tiles") {
   CHECK(found(check_set(set), "ETK506"));
 }
 
+TEST_CASE(
+    "the pieces of an island have one name and are one tile, which may equal another one as a whole alone") {
+  TextureSet set = flat_set(128, {80, 80, 150}, {100, 100, 100});
+  for (Image8* const image : {&set.a, &set.b})
+    for (std::size_t i = 3; i < image->values.size(); i += 4) image->values[i] = 255;
+  const auto piece = [&](const char* name, int column) {
+    set.manifest.tiles.push_back({name, "", "", {32 * column, 0, 32, 64}, 0, {}, {}, {}, {}, {}});
+  };
+  piece("crate", 0);
+  piece("crate", 1);
+  CHECK(!found(check_set(set), "ETK507"));
+  piece("crate#2", 2);
+  CHECK(!found(check_set(set), "ETK507"));
+  piece("crate#2", 3);
+  const CheckedFile equal = check_set(set);
+  REQUIRE(find(equal, "ETK507") != nullptr);
+  CHECK(find(equal, "ETK507")->tile == "crate#2");
+}
+
 TEST_CASE("unaligned tiles with a gutter of g stay clean up to level log2(g) + 1") {
   for (const int gutter : {1, 2, 4, 8}) {
     TextureSet set = plain_set(128);
