@@ -40,7 +40,7 @@ struct TextureTotals {
 ///   both   the two as shares of what the input takes, added
 ///   one_page   nothing: one pair of textures holds all materials (core/atlas/pack/one_page.h)
 ///   within   the two, and more of either than the input takes only where nothing takes less: the GPU counts
-///            first
+///            first. Of the input what takes no page to save does not count: copies, pictures of one colour
 enum class PackGoal { gpu, disk, both, one_page, within };
 
 /// "gpu", "disk", "both", "one-page" or "auto".

@@ -53,7 +53,7 @@ TEST_CASE("generated scenes take no more than they did, look the same, and have 
   std::size_t count = 0;
   each_generated([&](const std::string& scene, const TempFolder& folder) {
     const ValidationReport input = said_of(scene);
-    for (const PackGoal goal : {PackGoal::gpu, PackGoal::disk}) {
+    for (const PackGoal goal : {PackGoal::gpu, PackGoal::disk, PackGoal::within}) {
       CAPTURE(name(goal));
       PackOptions options;
       options.leave_out.islands = true;
@@ -74,6 +74,7 @@ TEST_CASE("generated scenes take no more than they did, look the same, and have 
       } else {
         CHECK(result.totals->scene->disk <= before.disk);
       }
+      if (goal == PackGoal::within) CHECK(result.totals->scene->gpu <= before.gpu);
       const auto form = std::find_if(result.forms.begin(), result.forms.end(),
                                      [](const FormCost& each) { return each.written; });
       REQUIRE(form != result.forms.end());

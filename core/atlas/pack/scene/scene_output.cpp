@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/scene/scene_document.h"
@@ -108,6 +109,47 @@ std::vector<GltfForm> forms_to_weigh(const SceneRead& read, const MapsOfOthers& 
   return out;
 }
 
+// The input without what needs no page to be saved: of pictures with the same texels one counts, of those of one colour
+// a texel, and none of those that nothing reads.
+TextureTotals trimmed_input(const SceneRead& read) {
+  TextureTotals out;
+  for (std::size_t i = 0; i < read.stands_for.size(); ++i) {
+    const auto image = static_cast<int>(i);
+    if (!read.scene.image_used[i] || read.stands_for[i] != image) continue;
+    const auto light = read.light.find(image);
+    const bool one_texel = light != read.light.end() && light->second.texel;
+    out.add(one_texel ? light->second.totals : read.image_totals(image));
+  }
+  return out;
+}
+
+// Places textures on single pages, or leaves them as they were, kind by kind where that is lighter.
+void refine(const SceneMaps& maps, const PackDecision& decision,
+            const std::function<double(const SceneMaps&)>& weight, SceneMaps& best) {
+  using ImageOf = std::optional<int> MaterialMaps::*;
+  const std::vector<std::vector<ImageOf>> kinds{{&MaterialMaps::base_color},
+                                                {&MaterialMaps::metal_rough, &MaterialMaps::occlusion},
+                                                {&MaterialMaps::normal},
+                                                {&MaterialMaps::emissive}};
+  std::map<int, std::set<std::size_t>> owners;  // by page
+  for (std::size_t r = 0; r < decision.regions.size(); ++r)
+    if (maps.contains(decision.regions[r].material))
+      owners[decision.plan.places[r].page].insert(decision.regions[r].material);
+  double least = weight(best);
+  for (const auto& [page, on_page] : owners)
+    for (const std::vector<ImageOf>& kind : kinds) {
+      const auto is_placed = [&](std::size_t owner) {
+        return std::ranges::any_of(kind, [&](ImageOf image) { return (best.at(owner).*image).has_value(); });
+      };
+      const bool placed = std::ranges::any_of(on_page, is_placed);
+      SceneMaps other = best;
+      for (const std::size_t owner : on_page)
+        for (const ImageOf image : kind)
+          other.at(owner).*image = placed ? std::nullopt : maps.at(owner).*image;
+      if (const double now = weight(other); now < least) least = now, best = std::move(other);
+    }
+}
+
 // Those of `maps` that are placed in these forms.
 SceneMaps placed(const SceneRead& read, const MapsOfOthers& maps, const std::vector<GltfForm>& forms,
                  const PackDecision& decision, const WeightOf& weight_of, PackGoal goal) {
@@ -121,10 +163,17 @@ SceneMaps placed(const SceneRead& read, const MapsOfOthers& maps, const std::vec
   if (goal == PackGoal::within) ways.insert(ways.end(), {by(PackGoal::gpu), by(PackGoal::disk)});
   // Pages were judged one by one; a texture that stays for one of them stays for all.
   ways.push_back(none_placed(ways.front()));
+  const auto weight = [&](const SceneMaps& of) {
+    return weight_of(goal)(scene_totals(read, forms, of, decision));
+  };
   std::vector<double> weights;
-  for (const SceneMaps& each : ways)
-    weights.push_back(weight_of(goal)(scene_totals(read, forms, each, decision)));
-  return std::move(ways[static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin())]);
+  for (const SceneMaps& each : ways) weights.push_back(weight(each));
+  const auto least = std::ranges::min_element(weights) - weights.begin();
+  SceneMaps best = std::move(ways[static_cast<std::size_t>(least)]);
+  constexpr std::size_t most_pages = 16;  // each look weighs the whole scene
+  if (goal == PackGoal::within && decision.plan.pages.size() <= most_pages)
+    refine(maps[static_cast<std::size_t>(others)], decision, weight, best);
+  return best;
 }
 
 }  // namespace
@@ -152,7 +201,11 @@ SceneChoice choose_pictures(const SceneRead& read, const PackDecision& decision,
   if (!read.writes_scene()) return out;
   const PackOutputOptions& asked = read.options.output;
   const MapsOfOthers maps = placeable(read, decision);
-  const TextureTotals input = is_by_shares(goal) ? read.input_totals(read.scene.image_used) : TextureTotals{};
+  TextureTotals input;
+  if (goal == PackGoal::within)
+    input = trimmed_input(read);
+  else if (goal == PackGoal::both)
+    input = read.input_totals(read.scene.image_used);
   const WeightOf weight_of = [&](PackGoal of) { return TextureWeight(of, input); };
   const TextureWeight weight = weight_of(goal);
   const std::vector<GltfForm> weighed = forms_to_weigh(read, maps, decision);
