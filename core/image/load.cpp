@@ -183,6 +183,71 @@ std::unique_ptr<RowSource> open_picture(std::string_view bytes, const std::strin
   return rows_of(load_picture(bytes, label, door));
 }
 
+namespace {
+
+// Which rules the 16-bit values so far follow.
+struct Multiples {
+  bool of_257 = true, of_256 = true, vary = false;
+  std::optional<std::uint16_t> first = {};
+
+  bool any() const { return of_257 || of_256; }
+  void add(const std::vector<std::uint16_t>& values) {
+    if (!first && !values.empty()) first = values.front();
+    for (const std::uint16_t value : values) {
+      of_257 = of_257 && value % 257 == 0;
+      of_256 = of_256 && value % 256 == 0;
+      vary = vary || value != *first;
+    }
+  }
+};
+
+Multiples multiples_of(ValueRows rows) {
+  const PictureHeader header = rows.header();
+  std::vector<std::uint16_t> row(static_cast<std::size_t>(header.width * header.channels));
+  Multiples out;
+  for (int y = 0; y < header.height && out.any(); ++y) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
+    rows.read(reinterpret_cast<std::uint8_t*>(row.data()), 2 * row.size(), 1);
+    out.add(row);
+  }
+  return out;
+}
+
+bool is_wide(const PictureHeader& header) {
+  return header.bits == 16 && !header.floating;
+}
+
+}  // namespace
+
+bool holds_8_bits(const PictureFile& file, const PictureDoor& door) {
+  constexpr std::size_t depth_of_png = 24;  // the place of the byte that has a PNG's bits a value
+  const bool inside = !file.bytes.empty();
+  const std::string head = inside ? file.bytes.substr(0, 32) : read_head(file.path, 32);
+  const std::string format = picture_format(head, inside ? file.label : file.path);
+  if (format == "png" ? head.size() <= depth_of_png || head[depth_of_png] != 16 : format != "tiff")
+    return false;
+  Multiples found;
+  if (format == "png" && inside) {
+    if (auto png = PngReader::open(file.bytes, file.label)) {
+      if (!is_wide(png->header())) return false;
+      found = multiples_of(ValueRows(std::move(*png)));
+      return found.any() && found.vary;
+    }
+  } else if (format == "png") {
+    const auto opened = open_file(file.path);
+    auto png = opened->read_checked([&] { return PngReader::open(*opened, file.path); });
+    if (png) {
+      if (!is_wide(png->header())) return false;
+      found = opened->read_checked([&] { return multiples_of(ValueRows(std::move(*png))); });
+      return found.any() && found.vary;
+    }
+  }
+  Picture whole = load_picture(file, door);
+  if (!is_wide(whole.header)) return false;
+  found = multiples_of(ValueRows(std::move(whole)));
+  return found.any() && found.vary;
+}
+
 Image8 codes_of(Picture picture, bool floats_linear) {
   if (auto* codes = std::get_if<Image8>(&picture.pixels)) return std::move(*codes);
   const PictureHeader& header = picture.header;

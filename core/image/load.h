@@ -59,6 +59,10 @@ std::unique_ptr<RowSource> open_picture(std::string_view bytes, const std::strin
 /// Opens a picture file that can be read row by row; null for all others. Throws Error that names the path.
 std::unique_ptr<RowSource> open_rows(const std::string& path);
 
+/// Whether a PNG or TIFF file has 16 bits a value, all of which are values of 8 bits: multiples of 257, or of 256. False
+/// for one value all over, and for any other picture. Throws Error for broken data.
+bool holds_8_bits(const PictureFile& file, const PictureDoor& door);
+
 /// A picture as 8-bit codes, with the channels that it has. Codes of 16 bits are rounded; floats are clamped
 /// to 0..1, and NaN gives 0.
 ///   floats_linear   true: floats are linear light, and all channels but the fourth are encoded to sRGB;

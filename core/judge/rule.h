@@ -28,6 +28,8 @@ enum class Need : std::uint32_t {
   material = 1u << 8,     // material files and spectra
   named = 1u << 9,        // the name of the material
   maps = 1u << 10,        // normal, occlusion and emissive maps, which have a pass of their own
+  wide = 1u << 11,        // the codes of pictures of 16 bits, as their files have them
+  edges = 1u << 12,       // how pictures continue beside themselves, where a limit asks for it
 };
 
 /// A set of needs.
@@ -82,7 +84,7 @@ struct RuleParameter {
 /// The parameters of a rule, at most `most`.
 class RuleParameters {
  public:
-  static constexpr std::size_t most = 4;
+  static constexpr std::size_t most = 5;
 
   constexpr RuleParameters() = default;
   constexpr RuleParameters(std::initializer_list<RuleParameter> rows) : size_(rows.size()) {

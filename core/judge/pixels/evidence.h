@@ -10,6 +10,7 @@
 
 #include "core/judge/maps/map_evidence.h"
 #include "core/judge/pixels/components.h"
+#include "core/judge/pixels/edge_steps.h"
 #include "core/judge/target.h"
 
 namespace etak {
@@ -161,11 +162,31 @@ struct PictureEvidence {
   std::optional<DataCodes> data = {};
 };
 
+/// A picture file whose values were looked at as they are, or as a tile.
+///   narrow   of 16 bits, and all values are those of 8; not of one value alone
+///   steps    where it is laid beside itself; none: not asked for, or it is not laid so
+struct PictureLook {
+  std::string label;
+  FileRole role = FileRole::base_color;
+  bool narrow = false;
+  std::optional<EdgeSteps> steps;
+};
+
+/// The texels of a texture for a unit of the scene's world, on the whole: the root of its texels over the area that they
+/// cover, of all triangles of a material.
+struct TextureDensity {
+  std::string material, label;
+  FileRole role = FileRole::base_color;
+  double texels = 0;
+};
+
 /// The pictures that the materials of a scene read, each once.
 ///   gpu_bytes   with all mips and without block compression (texture_bytes.h)
+///   densities   of each material's textures whose triangles have an area
 struct SceneFacts {
   std::size_t textures = 0;
   std::uint64_t gpu_bytes = 0;
+  std::vector<TextureDensity> densities;
 };
 
 /// Everything that the rules judge of one target.
@@ -175,6 +196,7 @@ struct Evidence {
   std::vector<TileEvidence> tiles;
   std::vector<PictureEvidence> headers;  // every picture file of the target, for the rules on headers
   std::vector<MapEvidence> maps;
+  std::vector<PictureLook> looks;
   std::optional<MaterialEvidence> material;
   std::optional<SceneFacts> scene;      // where a limit asks for it
   std::vector<std::string> unreadable;  // "LABEL: message"

@@ -8,11 +8,8 @@ namespace {
 
 // The parameter that limits pictures of a role.
 std::string_view limit_of(FileRole role) {
-  if (role == FileRole::normal) return "normal_side";
-  return traits(role).data || role == FileRole::gloss || role == FileRole::height ||
-                 role == FileRole::occlusion
-             ? "data_side"
-             : "colour_side";
+  const PictureClass of = picture_class(role);
+  return of == PictureClass::normal ? "normal_side" : of == PictureClass::data ? "data_side" : "colour_side";
 }
 
 }  // namespace

@@ -10,4 +10,21 @@ namespace etak {
 #include "core/judge/rules/rules.inc"
 #undef ETAK_RULE
 
+/// Whether codes are the grey 127 or 128 that scales from 0 to 1 begin with in many programs.
+inline bool is_middle_grey(const std::array<int, 3>& codes) {
+  return codes == std::array{127, 127, 127} || codes == std::array{128, 128, 128};
+}
+
+/// The kinds of pictures that a project sets limits for.
+enum class PictureClass { colour, normal, data };
+
+/// Of gloss, height and occlusion, too, the eye sees less detail than of colours.
+inline PictureClass picture_class(FileRole role) {
+  if (role == FileRole::normal) return PictureClass::normal;
+  return traits(role).data || role == FileRole::gloss || role == FileRole::height ||
+                 role == FileRole::occlusion
+             ? PictureClass::data
+             : PictureClass::colour;
+}
+
 }  // namespace etak

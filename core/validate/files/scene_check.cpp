@@ -2,6 +2,7 @@
 #include "core/validate/files/scene_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <utility>
@@ -10,7 +11,9 @@
 #include "core/image/texture_bytes.h"
 #include "core/judge/engine.h"
 #include "core/judge/rules.h"
+#include "core/scene/uv_use.h"
 #include "core/validate/files/check_maps.h"
+#include "core/validate/files/picture_looks.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/files/tiles.h"
 
@@ -54,15 +57,84 @@ UvBox in_uv(const PixelBox& box, int width, int height) {
 
 namespace {
 
-bool has_scene_budget(const Settings& settings) {
-  const Rule& rule = *find_rule("ETK015");
-  return severity_of(rule, settings) != Severity::off &&
-         std::ranges::any_of(rule.parameters, [&](const RuleParameter& parameter) {
-           return parameter_of(rule, parameter.name, settings) > 0;
-         });
+// The textures of a material with what each holds.
+std::vector<std::pair<const GltfTexture*, FileRole>> textures_with_roles(const GltfMaterial& m) {
+  const auto [first, second, first_role, second_role] = textures_of(m);
+  std::vector<std::pair<const GltfTexture*, FileRole>> out;
+  const auto add = [&](const std::optional<GltfTexture>& texture, FileRole role) {
+    if (texture) out.emplace_back(&*texture, role);
+  };
+  add(first, first_role);
+  add(second, second_role);
+  if (!m.specular_glossiness) add(m.specular_color_texture, FileRole::specular_gloss);
+  add(m.normal_texture, FileRole::normal);
+  add(m.occlusion_texture, FileRole::occlusion);
+  add(m.emissive_texture, FileRole::emissive);
+  return out;
+}
+
+// Areas of a material's triangles in the world and in UVs of a texture.
+struct TriangleAreas {
+  double world = 0, uv = 0;
+};
+TriangleAreas areas_of(const MaterialUses& uses, int material, const GltfTexture& texture) {
+  TriangleAreas out;
+  const UvMatrix matrix = uv_matrix(texture.transform);
+  for (const GltfUse* use : uses.of(material)) {
+    if (texture.uv_set > 1 || use->uv[texture.uv_set].size() != use->world_area.size()) continue;
+    for (std::size_t i = 0; i < use->world_area.size(); ++i) {
+      const auto& corners = use->uv[texture.uv_set][i];
+      std::array<Uv, 3> p;
+      for (std::size_t c = 0; c < 3; ++c) p[c] = matrix * Uv{corners[c][0], corners[c][1]};
+      out.world += double{use->world_area[i]};
+      out.uv +=
+          std::abs((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1])) / 2;
+    }
+  }
+  return out;
 }
 
 }  // namespace
+
+std::vector<TextureDensity> SceneCheck::densities() {
+  std::vector<TextureDensity> out;
+  for (const GltfMaterial& m : uses_.scene().materials) {
+    if (!uses_.scene().material_used[static_cast<std::size_t>(m.index)]) continue;
+    for (const auto& [texture, role] : textures_with_roles(m)) {
+      const TriangleAreas areas = areas_of(uses_, m.index, *texture);
+      if (!(areas.world > 0 && areas.uv > 0)) continue;
+      const PictureHeader& header = pictures_.header(texture->image);
+      out.push_back({m.name, image_label(of_scene_, uses_.scene(), texture->image), role,
+                     std::sqrt(areas.uv / areas.world * header.width * header.height)});
+    }
+  }
+  return out;
+}
+
+std::vector<PictureLook> SceneCheck::picture_looks(const Settings& settings) {
+  const LooksWanted wanted = looks_wanted(settings);
+  std::map<int, std::pair<FileRole, std::array<bool, 2>>>
+      images;  // with the axes along which they are laid beside themselves
+  for (const GltfMaterial& m : uses_.scene().materials) {
+    if (!(wanted.wide || wanted.edges) || !uses_.scene().material_used[static_cast<std::size_t>(m.index)])
+      continue;
+    for (const auto& [texture, role] : textures_with_roles(m)) {
+      auto& axes = images.try_emplace(texture->image, role, std::array<bool, 2>{}).first->second.second;
+      // How the UVs lie does not depend on the size of the picture.
+      constexpr int side = 64;
+      if (!wanted.edges || !texel_use(uses_, m.index, *texture, side, side).tiles) continue;
+      axes[0] = axes[0] || texture->sampler.wrap_u == Wrap::repeat;
+      axes[1] = axes[1] || texture->sampler.wrap_v == Wrap::repeat;
+    }
+  }
+  std::vector<PictureLook> out;
+  for (const auto& [image, of] : images) {
+    PictureFile file = uses_.scene().images[static_cast<std::size_t>(image)];
+    file.label = image_label(of_scene_, uses_.scene(), image);
+    out.push_back(look_at_picture(file, of.first, of.second, wanted, door_));
+  }
+  return out;
+}
 
 SceneFacts SceneCheck::facts_of_scene() {
   const GltfScene& scene = uses_.scene();
@@ -168,7 +240,9 @@ void SceneCheck::judge_headers(const Manifest& manifest, const Settings& setting
   }
   file.stats.pictures_decoded += headers.maps.size();
   file.stats.pictures_left_out -= std::min(file.stats.pictures_left_out, headers.maps.size());
-  if (has_scene_budget(settings)) headers.scene = facts_of_scene();
+  if (has_limit("ETK015", settings) || has_limit("ETK016", settings)) headers.scene = facts_of_scene();
+  if (has_limit("ETK016", settings)) headers.scene->densities = densities();
+  headers.looks = picture_looks(settings);
   etak::judge(textures, headers, settings, file);
 }
 

@@ -60,6 +60,8 @@ class SceneCheck {
  private:
   const GltfMaterial& lead(const SceneLook& look) const;
   SceneFacts facts_of_scene();
+  std::vector<TextureDensity> densities();
+  std::vector<PictureLook> picture_looks(const Settings& settings);
 
   const MaterialUses& uses_;
   const TargetFile& of_scene_;
