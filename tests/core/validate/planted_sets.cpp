@@ -3,6 +3,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -264,6 +265,61 @@ const Maker makers[] = {
        });
        out["wall_normal.png"] = png_of(map);
        out["wall_height.png"] = png_of(s.height);
+       return out;
+     }},
+    {"metallic of 0.9 where metal is 1", "ETK113", Severity::warning, 0,
+     [](int n, const Surface&, Random& random) {
+       const int metals[] = {1, 7};  // gold, aluminium
+       const Surface s = surface(metals[n % 2], random);
+       Files out = single_files(s);
+       Image8 map(side, side, 1, static_cast<std::uint8_t>(230 + random.below(12)));
+       out["wall_metallic.png"] = png_of(map);
+       return out;
+     }},
+    {"roughness of four steps", "ETK304", Severity::info, 0,
+     [](int, const Surface&, Random& random) {
+       const Surface s = surface(4, random);  // wood, whose roughness has many codes
+       Files out = single_files(s);
+       Image8 map = s.roughness;
+       const int first = 60 + random.below(30), step = 20 + random.below(20);
+       for (std::uint8_t& code : map.values)
+         code = static_cast<std::uint8_t>(first + step * std::clamp((code - 120) * 4 / 70, 0, 3));
+       out["wall_roughness.png"] = png_of(map);
+       return out;
+     }},
+    {"16 bits that hold 8", "ETK715", Severity::info, 0,
+     [](int n, const Surface& s, Random&) {
+       Files out = single_files(s);
+       const Image8& from = n % 2 == 0 ? s.roughness : s.base;
+       Image16 wide(side, side, from.channels);
+       for (std::size_t i = 0; i < from.values.size(); ++i)
+         wide.values[i] = static_cast<std::uint16_t>((n % 3 == 0 ? 256 : 257) * from.values[i]);
+       out[n % 2 == 0 ? "wall_roughness.png" : "wall_basecolor.png"] = png_of(wide);
+       return out;
+     }},
+    {"the base colour as normal map", "ETK702", Severity::error, 1,
+     [](int n, const Surface&, Random& random) {
+       const int dark[] = {2, 4,
+                           6};  // what is bluer than the middle looks like a normal map that is not unit
+       const Surface s = surface(dark[n % 3], random);
+       Files out = single_files(s);
+       out["wall_normal.png"] = out["wall_basecolor.png"];
+       return out;
+     }},
+    {"the base colour as roughness in a JPEG", "ETK004", Severity::error, 1,
+     [](int n, const Surface& s, Random& random) {
+       Files out = single_files(n % kind_count == kind_count - 1 ? surface(n + 1, random) : s);
+       out.erase("wall_roughness.png");
+       const Image8 colours = n % kind_count == kind_count - 1 ? surface(n + 1, random).base : s.base;
+       out["wall_roughness.jpg"] =
+           lossy_file(colours, "a.jpg", "jpeg:" + std::to_string(80 + random.below(19)));
+       return out;
+     }},
+    {"second and third channel exchanged in a JPEG", "ETK116", Severity::error, 1,
+     [](int, const Surface& s, Random& random) {
+       Files out{{"wall_basecolor.png", png_of(s.base)}, {"wall_normal.png", png_of(s.normal)}};
+       out["wall_orm.jpg"] = lossy_file(packed(s.occlusion, s.metallic, s.roughness), "a.jpg",
+                                        "jpeg:" + std::to_string(85 + random.below(14)));
        return out;
      }},
     {"an empty file without its companions", "ETK001", Severity::error, 2,
