@@ -22,9 +22,15 @@ double ordinary_share(const TileEvidence& tile) {
   return static_cast<double>(tile.counts.opaque - others) / static_cast<double>(tile.counts.opaque);
 }
 
-// Whether codes are the grey 127 or 128 that scales from 0 to 1 begin with in many programs.
-bool is_middle_grey(const std::array<int, 3>& codes) {
-  return std::ranges::all_of(codes, [](int code) { return code == 127 || code == 128; });
+// Whether most texels of a plateau have codes next to its mean. Of a wide gradient the mean alone matches anything.
+bool is_flat(const RuleCheck& check, const TileEvidence& tile, const Plateau& plateau) {
+  constexpr int near = 4;  // codes
+  const int green = check.bytes(plateau.specular)[1];
+  std::uint64_t beside = 0;
+  for (int code = std::max(0, green - near); code <= std::min(255, green + near); ++code)
+    beside += tile.detail.b[1][static_cast<std::size_t>(code)];
+  return 2 * static_cast<double>(beside) * static_cast<double>(tile.counts.texels) >=
+         static_cast<double>(plateau.area) * static_cast<double>(tile.detail.opaque);
 }
 
 struct PlateauVerdict {
@@ -104,7 +110,8 @@ constinit const Rule etk101_f0_forbidden_zone{
         if (is_half_metal(check, *shown)) {
           finding.cause = "metallic is " + number(shown->metallic, 2);
           finding.message += "; " + finding.cause;
-        } else if (why.cause == Explanation::Cause::doubled && !check.evidence.metal_rough) {
+        } else if (why.cause == Explanation::Cause::doubled && !check.evidence.metal_rough &&
+                   is_flat(check, tile, *shown)) {
           finding.cause = "matches a dielectric of F0 " + number(why.original, 2) + " (" + why.material +
                           ") sRGB-encoded twice, within " + number(why.distance, 2) + " codes";
           // Beside ordinary dielectrics it may be a patch instead of a second conversion, and the middle of the scale

@@ -13,11 +13,10 @@ constinit const Rule etk304_gloss_steps{
     .severity = {Severity::info, Severity::warning},
     .needs = {Need::bytes_b},
     .parameters = {{"codes", 8, 8, "", "most distinct codes that are reported"},
-                   {"min_texels", 65536, 65536, "px", "smaller tiles are not judged"},
+                   {"min_texels", 16384, 16384, "px", "smaller tiles are not judged"},
                    {"span", 32, 32, "codes", "least distance of the ends"}},
     .source = "One step of 8 bits changes the exponent 2^(12 g) by 3.3 % (etak)",
-    .what =
-        "At most 8 distinct gloss codes over more than 65,536 opaque texels that span more than 32 codes.",
+    .what = "At most 8 distinct gloss codes over 16,384 opaque texels or more that span more than 32 codes.",
     .why = "Highlights change their size in visible steps.",
     .example = "Gloss stored in a palette picture or posterised.",
     .fix = "Export gloss from its source with 8 bits.",
@@ -25,7 +24,7 @@ constinit const Rule etk304_gloss_steps{
       if (!check.has_gloss()) return;
       for (const TileEvidence& tile : check.evidence.tiles) {
         const Detail& d = tile.detail;
-        if (!d.every_row || static_cast<double>(d.opaque) <= check.parameter("min_texels")) continue;
+        if (!d.every_row || static_cast<double>(d.opaque) < check.parameter("min_texels")) continue;
         // Only opaque texels count, so that nothing is judged under an alpha of 0 all over (ETK503).
         int distinct = 0, least = 255, most = 0;
         for (int code = 0; code < 256; ++code) {

@@ -54,7 +54,7 @@ constinit const Rule etk402_specular_double_encoded{
     .what =
         "At least 80 % of the area of achromatic non-metal plateaus has codes 105 to 155, whose second decoding is an ordinary dielectric F0 of 0.017 to 0.09, and so have 80 % of the texels darker than "
         "metals (a wide ramp has their mean only). Plateaus over black diffuse are not judged: a grey metal stored linear has the same codes. A warning where there is no diffuse picture, and where all of it "
-        "lies below the forbidden zone: F0 0.02 to 0.03 encoded twice has the codes 109 to 120. Plateaus that the material which the file names explains, or whose three codes are those of a gem (diamond: 115 115 117), are not counted.",
+        "lies below the forbidden zone, or is the grey 127 or 128 that many scales begin with: F0 0.02 to 0.03 encoded twice has the codes 109 to 120. Plateaus that the material which the file names explains, or whose three codes are those of a gem (diamond: 115 115 117), are not counted.",
     .why = "One conversion too many in the export chain.",
     .example = "An sRGB texture read as linear and encoded on writing.",
     .fix = "Remove one of the two conversions.",
@@ -90,13 +90,15 @@ constinit const Rule etk402_specular_double_encoded{
         const double meant = check.tables.decode(255 * luminance_of(shown->specular));
         if (meant < least_dielectric_f0 || meant > most_dielectric_f0) continue;
         Finding& finding = check.report(tile, *plateaus, *shown);
-        const bool sure = has_diffuse && above_gems;
+        const bool middle = is_middle_grey(check.bytes(shown->specular));
+        const bool sure = has_diffuse && above_gems && !middle;
         if (!sure) finding.severity = check.at_most(Severity::warning);
         finding.box = shown->box;
         finding.area_px = doubled;
         finding.limit = "codes 36 to 84";
         finding.cause = std::string(sure ? "" : "possible cause: ") +
-                        "encoded twice; decoded once more it is F0 " + number(meant, 2);
+                        "encoded twice; decoded once more it is F0 " + number(meant, 2) +
+                        (middle ? ", or the middle of the scale of an input that is no F0" : "");
         finding.message =
             finding.value + " on " + area_text(doubled, tile.counts.texels) + "; " + finding.cause;
       }

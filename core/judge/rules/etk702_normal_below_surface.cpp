@@ -38,7 +38,8 @@ constinit const Rule etk702_normal_below_surface{
         if (2 * map.normals.not_unit > map.normals.texels)
           finding.cause = "possible cause: a picture of colours; most texels have another length than 1";
         else
-          finding.cause = "possible cause: normals of object space, or exchanged channels";
+          finding.cause =
+              "possible cause: normals of object space, exchanged channels, or a picture of colours";
       });
     }};
 
