@@ -52,6 +52,13 @@ PictureDoor picture_door_behind(const OpenDoors& doors) {
   door.text = [doors](std::string_view text, int size) {
     return doors("pictures of plots").picture_door().text(text, size);
   };
+  door.mesh.meshopt = [doors](const MeshoptElements& elements, const std::string& place) {
+    return doors(place).picture_door().mesh.meshopt(elements, place);
+  };
+  door.mesh.draco = [doors](std::string_view bytes, const std::vector<DracoArray>& arrays,
+                            const std::string& place) {
+    return doors(place).picture_door().mesh.draco(bytes, arrays, place);
+  };
   return door;
 }
 

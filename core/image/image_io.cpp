@@ -4,18 +4,22 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <webp/decode.h>
+#include <webp/encode.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/steady_file.h"
 #include "core/image/files/icc.h"
+#include "core/image/mesh_codecs.h"
 #include "core/image/picture_bytes.h"
 
 namespace etak {
@@ -230,8 +234,26 @@ Image read_image(const std::string& path) {
 
 namespace {
 
+// The codes of a WebP picture with alpha, by which OpenImageIO 2.4 multiplies its colours whatever it is asked; none
+// where the file is a film.
+std::optional<Image8> codes_of_webp(const Input& input) {
+  const OIIO::ImageSpec& spec = input.reader->spec();
+  Image8 out(spec.width, spec.height, 4);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(input.bytes.data());
+  if (WebPDecodeRGBAInto(bytes, input.bytes.size(), out.values.data(), out.values.size(), 4 * spec.width) ==
+      nullptr)
+    return std::nullopt;
+  return out;
+}
+
 Picture read_any(const Input& input, const std::string& label) {
   Picture out{header_of(input), {}};
+  if (out.header.format == "webp" && out.header.channels == 4)
+    if (auto codes = codes_of_webp(input)) {
+      out.pixels = *std::move(codes);
+      return out;
+    }
   if (!out.header.floating && out.header.bits == 8)
     out.pixels = read_pixels<std::uint8_t>(input, label, OIIO::TypeUInt8);
   else if (!out.header.floating)
@@ -251,14 +273,47 @@ Picture read_picture(std::string_view bytes, const std::string& label) {
   return with_possible_sizes(label, [&] { return read_any(open_bytes(bytes, label), label); });
 }
 
+std::string webp_bytes(const Image& image) {
+  WebPConfig config;
+  WebPPicture picture;
+  WebPMemoryWriter out;
+  WebPMemoryWriterInit(&out);
+  const std::unique_ptr<WebPMemoryWriter, decltype(&WebPMemoryWriterClear)> bytes(&out,
+                                                                                  WebPMemoryWriterClear);
+  constexpr int level = 6;  // of 0 to 9; beyond it, hours buy a percent
+  if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, level) || !WebPPictureInit(&picture))
+    throw Error("libwebp is of another version than etak was built for");
+  config.exact = 1;  // colours under alpha 0 count
+  picture.use_argb = 1;
+  picture.width = image.width;
+  picture.height = image.height;
+  picture.writer = WebPMemoryWrite;
+  picture.custom_ptr = &out;
+  const std::unique_ptr<WebPPicture, decltype(&WebPPictureFree)> texels(&picture, WebPPictureFree);
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(4 * image.pixel_count());
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (std::size_t i = 0; i < image.values.size(); i += channels)
+    for (const float value : four_channels(image.values.data() + i, channels, 1.0f))
+      rgba.push_back(to_code(value));
+  if (!WebPPictureImportRGBA(&picture, rgba.data(), 4 * image.width) || !WebPEncode(&config, &picture))
+    throw Error("libwebp cannot write a picture of " + std::to_string(image.width) + " x " +
+                std::to_string(image.height) + " (its error " + std::to_string(picture.error_code) + ")");
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes
+  return {reinterpret_cast<const char*>(out.mem), out.size};
+}
+
 PictureDoor picture_door() {
-  return {read_picture_header, [](const std::string& path) { return read_picture(path); },
+  return {read_picture_header,
+          [](const std::string& path) { return read_picture(path); },
           [](std::string_view bytes, const std::string& label) { return read_picture(bytes, label); },
           [](const Image& image, std::string_view format, std::string_view fourth) {
-            return format == "exr" ? exr_bytes(image, std::string(fourth))
-                                   : tiff_bytes(image, std::string(fourth));
+            return format == "exr"    ? exr_bytes(image, std::string(fourth))
+                   : format == "webp" ? webp_bytes(image)
+                                      : tiff_bytes(image, std::string(fourth));
           },
-          text_picture};
+          text_picture,
+          mesh_door()};
 }
 
 namespace {

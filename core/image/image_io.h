@@ -45,7 +45,8 @@ Picture read_picture(std::string_view bytes, const std::string& label);
 ///   size   of the font in pixels
 TextPicture text_picture(std::string_view text, int size);
 
-/// The functions above and below as a PictureDoor, for load_picture(), for writing floats and for text.
+/// The functions above and below as a PictureDoor, for load_picture(), for writing floats and for text, and the decoders of
+/// mesh_codecs.h.
 PictureDoor picture_door();
 
 /// Writes a PNG file. The whole file is made in memory and then put in place at once (write_file of
@@ -63,5 +64,9 @@ void write_exr(const std::string& path, const Image& image, bool floats, bool ov
 /// declares it unassociated alpha (where `fourth` is "alpha") or unspecified.
 std::string exr_bytes(const Image& image, const std::string& fourth);
 std::string tiff_bytes(const Image& image, const std::string& fourth);
+
+/// A lossless WebP file, made in memory, of a picture whose values are codes of 8 bits as fractions of 255. Codes under
+/// alpha 0 are kept. Grey becomes RGB, which is what the format has. At most 16383 pixels on a side.
+std::string webp_bytes(const Image& image);
 
 }  // namespace etak

@@ -13,6 +13,7 @@
 
 #include "core/image/image.h"
 #include "core/image/pixels_view.h"
+#include "core/math/mesh_door.h"
 
 namespace etak {
 
@@ -71,15 +72,17 @@ struct TextPicture {
 /// file. Where the functions are empty, such pictures are refused.
 ///   header, file   read the header, or the whole picture, of the file at `path`
 ///   bytes          reads a file in memory; `label` names it in messages
-///   encode         makes a file of 32-bit floats of format "tiff" or "exr"; `fourth` names the fourth
-///                  channel
+///   encode         makes a file of 32-bit floats of format "tiff" or "exr", whose fourth channel `fourth` names, or of
+///                  format "webp" a lossless one of codes of 8 bits, which are given as fractions
 ///   text           draws a line of text in DejaVu Sans; `size` of the font in pixels
+///   mesh           decompresses meshes of scenes
 struct PictureDoor {
   std::function<PictureHeader(const std::string& path)> header;
   std::function<Picture(const std::string& path)> file;
   std::function<Picture(std::string_view bytes, const std::string& label)> bytes;
   std::function<std::string(const Image& image, std::string_view format, std::string_view fourth)> encode;
   std::function<TextPicture(std::string_view text, int size)> text;
+  MeshDoor mesh;
 };
 
 /// The rows of a picture from the top, as RGBA: grey is copied to three channels, and a missing fourth

@@ -95,7 +95,9 @@ class PictureSource {
     const FileRole role = target.files.front().role;
     try {
       if (role == FileRole::scene) {
-        scene_.emplace(read_gltf(target.files.front().path, {}));
+        GltfOptions parts;
+        parts.mesh_door = door.mesh;
+        scene_.emplace(read_gltf(target.files.front().path, parts));
         uses_.emplace(*scene_);
         looks_.emplace(*scene_);
         textures_.emplace(scene_->images, door);

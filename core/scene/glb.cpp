@@ -13,7 +13,35 @@ namespace {
 
 constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
+void add_number(std::string& to, std::size_t number) {
+  for (int shift = 0; shift < 32; shift += 8)
+    to += static_cast<char>(number >> static_cast<unsigned>(shift) & 255);
+}
+
+void add_chunk(std::string& to, std::uint32_t type, const std::string& data) {
+  add_number(to, data.size());
+  add_number(to, type);
+  to += data;
+}
+
 }  // namespace
+
+std::string joined_glb(std::string json, std::string binary, std::string_view file) {
+  while (json.size() % 4 != 0) json += ' ';
+  while (binary.size() % 4 != 0) binary += '\0';
+  const std::size_t size = 12 + 8 + json.size() + (binary.empty() ? 0 : 8 + binary.size());
+  if (size > 0xFFFFFFFF)
+    throw Error::at(file, std::to_string(size) + " bytes",
+                    "less than 4 GiB, which is all that a .glb can have");
+  std::string out;
+  out.reserve(size);
+  add_number(out, glb_magic);
+  add_number(out, 2);
+  add_number(out, size);
+  add_chunk(out, json_chunk, json);
+  if (!binary.empty()) add_chunk(out, binary_chunk, binary);
+  return out;
+}
 
 bool is_glb(std::string_view bytes) {
   return bytes.size() >= 4 && bytes_le::number32(bytes, 0) == glb_magic;

@@ -17,6 +17,7 @@
 #include "core/image/picture.h"
 #include "core/image/wrap.h"
 #include "core/math/mesh.h"
+#include "core/math/mesh_door.h"
 #include "core/scene/uv_transform.h"
 
 namespace etak {
@@ -150,8 +151,9 @@ struct GltfCamera {
 struct GltfOptions {
   std::optional<int> scene;  // none: the document's, else the first
   bool all_scenes = false;
-  bool variants = true;  // materials of KHR_materials_variants count as used
-  bool mesh = false;     // GltfScene::mesh is filled
+  bool variants = true;     // materials of KHR_materials_variants count as used
+  bool mesh = false;        // GltfScene::mesh is filled
+  MeshDoor mesh_door = {};  // for meshes that are compressed
 };
 
 /// The parts of a glTF document that packing and checking need.
@@ -171,8 +173,10 @@ struct GltfScene {
   Mesh mesh;
   std::size_t scenes = 0, variants = 0;
   std::vector<std::string> variant_names;
-  std::shared_ptr<const std::string> json;                  // the document's JSON text, for the writer
-  std::shared_ptr<const std::vector<std::string>> buffers;  // bytes of each buffer
+  std::string unpacked;  // which meshes were decompressed, for people; empty: none
+  // The document's JSON text and the bytes of each buffer, for the writer. Meshes are not compressed any more.
+  std::shared_ptr<const std::string> json;
+  std::shared_ptr<const std::vector<std::string>> buffers;
 };
 
 /// The limits of what is read: triangles of all uses together, and elements of an accessor that has no bytes
@@ -184,7 +188,9 @@ inline constexpr std::size_t most_gltf_buffer_bytes = std::size_t{1} << 31;
 /// Reads .gltf or .glb with its buffers and inside images (pictures beside it are not opened). Throws Error
 /// naming file and JSON pointer: broken JSON, indices and accessors out of range, wrong types, files outside
 /// of the scene's folder ("..", absolute, with a scheme, behind a link: core/base/files/links.h), nodes that
-/// are reached twice, required extensions that are not known, Draco or meshopt compression.
+/// are reached twice, required extensions that are not known.
+///   Meshes that Draco or meshopt has compressed are decompressed by the door of the options; where uncompressed ones
+///   lie beside them, these are read.
 ///   All modes of primitives are uses; skins and morph targets do not move them. Extensions that place copies
 ///   (EXT_mesh_gpu_instancing) are not looked at. Primitives without a material are no use. What MSFT_lod puts in the
 ///   place of a node or material is used too. Of scenes that `options` do not name the uses are read, because they
@@ -305,7 +311,15 @@ struct WrittenGltf {
 /// Materials that no scene reaches, and images, textures and samplers without a reader are left out, and primitives
 /// that no scene draws lose their material. KHR_texture_transform becomes required where it is used. Throws Error for what
 /// cannot be kept: animated materials, EXT_lights_image_based, morphed UVs that would have to be rewritten;
-/// and for `output` that contradicts itself.
+/// and for `output` that contradicts itself. Pictures whose name ends in ".webp" are read by EXT_texture_webp, which is
+/// then required.
 WrittenGltf write_gltf(const GltfScene& scene, const GltfOutput& output);
+
+/// The written scene as one file, .glb.
+///   pictures   by their names beside the document: the files that go into it; others stay beside it
+///   file       for messages
+/// Throws Error for more than 4 GiB.
+std::string one_file(const WrittenGltf& written, const std::map<std::string, std::string>& pictures,
+                     const std::string& file);
 
 }  // namespace etak

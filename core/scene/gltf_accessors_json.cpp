@@ -50,13 +50,10 @@ View open_view(const GltfDocument& document, int index) {
   const int buffer = document.index(node.at("buffer"), "buffers");
   const std::string_view bytes = document.buffers[static_cast<std::size_t>(buffer)];
   const std::size_t offset = size_at(node, "byteOffset", 0), length = size_at(node.at("byteLength"), "", 0);
-  if (offset > bytes.size() || length > bytes.size() - offset) {
-    if (extension(node.value, "EXT_meshopt_compression"))
-      node.fail("data compressed by EXT_meshopt_compression alone", "data that are not compressed");
+  if (offset > bytes.size() || length > bytes.size() - offset)
     node.fail(std::to_string(length) + " bytes from " + std::to_string(offset) + " in a buffer of " +
                   std::to_string(bytes.size()),
               "bytes inside the buffer");
-  }
   View view{bytes.substr(offset, length), 0};
   if (node.has("byteStride")) view.stride = static_cast<std::size_t>(node.at("byteStride").integer(4, 252));
   return view;
@@ -218,14 +215,19 @@ std::optional<AccessorBytes> bytes_of_accessor(const GltfDocument& document, int
   return out;
 }
 
-GltfElements open_accessor(const GltfDocument& document, int index) {
-  const JsonNode node = document.element("accessors", index);
+GltfElements shape_of_accessor(const JsonNode& node) {
   GltfElements out;
   out.type = component_type(node.at("componentType"));
   out.components = components_of(node.at("type"));
   out.count = size_at(node.at("count"), "", 0);
   out.normalized = node.has("normalized") && node.at("normalized").boolean();
   out.size = out.stride = out.components * component_size(out.type);
+  return out;
+}
+
+GltfElements open_accessor(const GltfDocument& document, int index) {
+  const JsonNode node = document.element("accessors", index);
+  GltfElements out = shape_of_accessor(node);
   if (node.has("bufferView")) {
     const View view = open_view(document, document.index(node.at("bufferView"), "bufferViews"));
     if (view.stride != 0) out.stride = view.stride;

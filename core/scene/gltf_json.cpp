@@ -23,8 +23,11 @@ constexpr int most_depth = 64;
 ///   mesh   the triangles themselves are asked for: their copies are not placed
 bool can_be_required(std::string_view name, bool mesh) {
   if (name == "EXT_mesh_gpu_instancing") return !mesh;
+  // Of KHR_texture_basisu image_of_texture() says which picture cannot be read.
   return name.starts_with("KHR_materials_") || name == "KHR_texture_transform" ||
-         name == "KHR_mesh_quantization" || name == "KHR_lights_punctual" || name == "EXT_texture_webp";
+         name == "KHR_mesh_quantization" || name == "KHR_lights_punctual" || name == "EXT_texture_webp" ||
+         name == "KHR_draco_mesh_compression" || name.ends_with("_meshopt_compression") ||
+         name == "KHR_texture_basisu";
 }
 
 void check_head(const GltfDocument& document, const GltfOptions& options) {
@@ -40,8 +43,6 @@ void check_head(const GltfDocument& document, const GltfOptions& options) {
   const JsonNode required = root.at("extensionsRequired");
   const auto names = required.texts();
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == "KHR_draco_mesh_compression" || names[i].ends_with("_meshopt_compression"))
-      required.at(i).fail("meshes compressed by " + names[i], "meshes that are not compressed");
     if (!can_be_required(names[i], options.mesh))
       required.at(i).fail("required extension " + in_quotes(names[i]), "extensions that etak knows");
   }
@@ -70,7 +71,7 @@ std::vector<std::string> buffers_of(const GltfDocument& document,
       bytes = *binary_chunk;
     } else if (extension(node.value, "EXT_meshopt_compression") ||
                extension(node.value, "KHR_meshopt_compression")) {
-      continue;  // a fallback without bytes: reading from it fails later
+      continue;  // a fallback without bytes: unpack_meshes() fills its views
     } else {
       node.fail("a buffer without bytes", "\"uri\", or the BIN chunk of a .glb");
     }
@@ -144,6 +145,18 @@ void read_variants(const GltfDocument& document, GltfScene& scene) {
 
 namespace {
 
+/// The document with its meshes decompressed, which `scene` then tells of.
+JsonDocument without_packed_meshes(JsonDocument read, std::vector<std::string>& buffers, GltfScene& scene) {
+  Json changed = std::move(read).take();
+  try {
+    scene.unpacked = unpack_meshes(changed, buffers, scene.path, scene.options.mesh_door);
+  } catch (...) {
+    take_apart(changed);
+    throw;
+  }
+  return JsonDocument(std::move(changed));
+}
+
 GltfScene parse_in_memory(std::string_view bytes, const std::string& path, const GltfOptions& options) {
   GltfScene scene;
   scene.path = path;
@@ -155,11 +168,14 @@ GltfScene parse_in_memory(std::string_view bytes, const std::string& path, const
     text = parts.json;
     binary_chunk = parts.binary;
   }
-  const JsonDocument root = parse_json_strictly(text, path, most_depth, "a glTF document");
+  JsonDocument read = parse_json_strictly(text, path, most_depth, "a glTF document");
+  check_head({read, path, {}}, options);
+  std::vector<std::string> buffers = buffers_of({read, path, {}}, binary_chunk);
+  const bool packed = has_packed_meshes(read);
+  const JsonDocument root = packed ? without_packed_meshes(std::move(read), buffers, scene) : std::move(read);
+  scene.json = std::make_shared<const std::string>(packed ? root->dump() : std::string(text));
+  scene.buffers = std::make_shared<const std::vector<std::string>>(std::move(buffers));
   GltfDocument document{root, path, {}};
-  check_head(document, options);
-  scene.json = std::make_shared<const std::string>(text);
-  scene.buffers = std::make_shared<const std::vector<std::string>>(buffers_of(document, binary_chunk));
   document.buffers.assign(scene.buffers->begin(), scene.buffers->end());
   scene.images = images_of(document);
   scene.materials = materials_of(document);

@@ -61,6 +61,31 @@ struct GltfElements {
   double number(std::size_t element, std::size_t component) const;
   std::uint32_t integer(std::size_t element) const;
 };
+/// The index of a new element of an array of the document, which is made where it is absent.
+int append_element(Json& root, const char* array, Json element);
+/// Takes an extension off an object, and `extensions` too when it was the last.
+void remove_extension(Json& object, std::string_view name);
+/// Elements of `size` bytes, one behind the other, and what their view is for: 34962 (vertices) or 34963 (indices).
+struct TightElements {
+  const std::string& bytes;
+  std::size_t size = 0;
+  int target = 34962;
+};
+/// Gives the elements of an accessor a view and a buffer of their own in the document; returns the bytes of that buffer,
+/// in which vertices are padded to whole words.
+std::string put_in_view(Json& root, Json& accessor, const TightElements& elements);
+
+/// Decompresses the views and primitives of a document whose bytes are there in compressed form alone
+/// (EXT_meshopt_compression, KHR_meshopt_compression, KHR_draco_mesh_compression), each array into a buffer of its own
+/// at the end of `buffers`. Throws Error for what the door refuses, and for more than most_gltf_buffer_bytes in all.
+/// Returns what was decompressed, for people; empty where nothing was.
+std::string unpack_meshes(Json& root, std::vector<std::string>& buffers, std::string_view file,
+                          const MeshDoor& door);
+/// Takes these extensions off the elements of a document, whose meshes were decompressed.
+void drop_packing(Json& root);
+/// Whether the document names one of these extensions anywhere.
+bool has_packed_meshes(const Json& root);
+
 /// The bytes that an accessor reads, counted from the beginning of its view.
 struct AccessorBytes {
   int view = -1;
@@ -70,6 +95,8 @@ struct AccessorBytes {
 /// None for an accessor without a view, with sparse elements, or of matrices.
 std::optional<AccessorBytes> bytes_of_accessor(const GltfDocument& document, int index);
 
+/// What an accessor says of its elements, none of which are there.
+GltfElements shape_of_accessor(const JsonNode& accessor);
 /// Opens accessor `index` of the document: SCALAR and VEC2..4.
 GltfElements open_accessor(const GltfDocument& document, int index);
 

@@ -151,14 +151,31 @@ GltfMaterial material_of(const GltfDocument& document, int index) {
   return out;
 }
 
+constexpr const char* basisu = "KHR_texture_basisu";
+
+// Textures that name a PNG or JPEG beside the compressed picture are read by that.
+[[noreturn]] void refuse_basis(const GltfDocument& document, const JsonNode& source, int image) {
+  const JsonNode picture = document.element("images", image);
+  const std::string name = picture.text_or_empty("uri");
+  source.fail("the picture " +
+                  (name.empty() || name.starts_with("data:") ? picture.pointer : in_quotes(name, 80)) +
+                  ", compressed by Basis Universal, which etak does not read",
+              "the PNG or JPEG that it was made of (\"source\"), or what ktx extract makes of it");
+}
+
 }  // namespace
 
 int image_of_texture(const GltfDocument& document, int texture) {
   const JsonNode node = document.element("textures", texture);
   if (node.has("source")) return document.index(node.at("source"), "images");
-  for (const char* name : {"EXT_texture_webp", "KHR_texture_basisu", "MSFT_texture_dds", "EXT_texture_avif"})
-    if (const Json* found = extension(node.value, name); found && found->contains("source"))
-      return document.index(node.at("extensions").at(name).at("source"), "images");
+  for (const char* name : {"EXT_texture_webp", "MSFT_texture_dds", "EXT_texture_avif", basisu}) {
+    const Json* const found = extension(node.value, name);
+    if (!found || !found->contains("source")) continue;
+    const JsonNode source = node.at("extensions").at(name).at("source");
+    const int image = document.index(source, "images");
+    if (name == basisu) refuse_basis(document, source, image);
+    return image;
+  }
   return -1;
 }
 

@@ -141,12 +141,7 @@ class Walk {
   std::optional<GltfElements> positions_of(const JsonNode& node) const {
     const JsonNode attributes = node.at("attributes");
     attributes.expect_object();
-    const bool there = attributes.has("POSITION");
-    if (extension(node.value, "KHR_draco_mesh_compression") &&
-        (!there || !document_.element("accessors", document_.index(attributes.at("POSITION"), "accessors"))
-                        .has("bufferView")))
-      node.fail("a mesh compressed by KHR_draco_mesh_compression alone", "a mesh that is not compressed");
-    if (!there) return std::nullopt;
+    if (!attributes.has("POSITION")) return std::nullopt;
     return attribute(attributes, "POSITION", 3, std::nullopt);
   }
 

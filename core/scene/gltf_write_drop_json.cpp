@@ -343,11 +343,9 @@ void name_extensions(GltfRewrite& rewrite, const Json& before) {
     used.insert("KHR_texture_transform");
     required.insert("KHR_texture_transform");
   }
-  for (const char* gone :
-       {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-    if (is.contains(gone)) continue;
-    used.erase(gone);
-    required.erase(gone);
+  if (is.contains("EXT_texture_webp") && !was.contains("EXT_texture_webp")) {
+    used.insert("EXT_texture_webp");
+    required.insert("EXT_texture_webp");
   }
   const auto put = [&](const char* key, const std::set<std::string>& value) {
     if (value.empty())

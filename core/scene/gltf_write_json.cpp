@@ -22,19 +22,6 @@ void refuse_unkept(const GltfRewrite& rewrite) {
   });
 }
 
-/// Drops compressed copies of meshes: the uncompressed ones beside them were read.
-void remove_compression(Json& root) {
-  for (const char* array : {"buffers", "bufferViews"})
-    if (root.contains(array))
-      for (Json& element : root[array])
-        for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
-          remove_extension(element, name);
-  if (root.contains("meshes"))
-    for (Json& mesh : root["meshes"])
-      if (mesh.contains("primitives"))
-        for (Json& primitive : mesh["primitives"]) remove_extension(primitive, "KHR_draco_mesh_compression");
-}
-
 /// Drops the mappings of variants where these do not count: their materials are not reached.
 void remove_variants(Json& root) {
   remove_extension(root, "KHR_materials_variants");
@@ -68,6 +55,18 @@ void share_images(GltfRewrite& rewrite) {
   });
 }
 
+/// Lets textures read WebP pictures by the extension for them.
+void name_webp(Json& root) {
+  if (!root.contains("textures") || !root.contains("images")) return;
+  for (Json& texture : root["textures"]) {
+    if (!texture.contains("source")) continue;
+    const Json& image = root["images"][texture["source"].get<std::size_t>()];
+    if (!image.contains("uri") || !image["uri"].get_ref<const std::string&>().ends_with(".webp")) continue;
+    texture["extensions"]["EXT_texture_webp"] = {{"source", texture["source"]}};
+    texture.erase("source");
+  }
+}
+
 /// Puts the files that stand for images of the document in their place.
 void rewrite_images(GltfRewrite& rewrite) {
   for (const auto& [image, name] : rewrite.output.rewritten) {
@@ -81,18 +80,7 @@ void rewrite_images(GltfRewrite& rewrite) {
 }  // namespace
 
 int GltfRewrite::append(const char* array, Json element) {
-  Json& elements = root[array];
-  if (!elements.is_array()) elements = Json::array();
-  elements.push_back(std::move(element));
-  return static_cast<int>(elements.size()) - 1;
-}
-
-void remove_extension(Json& object, const char* name) {
-  if (!object.is_object()) return;
-  const auto extensions = object.find("extensions");
-  if (extensions == object.end() || !extensions->is_object()) return;
-  extensions->erase(name);
-  if (extensions->empty()) object.erase(extensions);
+  return append_element(root, array, std::move(element));
 }
 
 namespace {
@@ -110,9 +98,9 @@ WrittenGltf written(const GltfScene& scene, const GltfOutput& output) {
     each_file(rewrite.root, [&](Json& uri, bool) { uri = uri_of_file(names[uri.get<std::string>()]); });
   }
   const JsonDocument before(rewrite.root);
+  drop_packing(rewrite.root);
   share_images(rewrite);
   rewrite_images(rewrite);
-  remove_compression(rewrite.root);
   if (!scene.options.variants) remove_variants(rewrite.root);
   for (const AtlasMaterial& material : output.materials) {
     if (const auto transform = transform_of(scene, material)) {
@@ -128,6 +116,7 @@ WrittenGltf written(const GltfScene& scene, const GltfOutput& output) {
   drop_unused(rewrite, before);
   WrittenGltf out;
   out.buffer = compact_buffers(rewrite);
+  name_webp(rewrite.root);
   name_extensions(rewrite, before);
   out.json = rewrite.root.dump(1) + "\n";
   std::set<std::string> used;

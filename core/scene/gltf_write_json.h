@@ -32,9 +32,6 @@ struct GltfRewrite {
 inline constexpr std::array atlas_extensions{"KHR_materials_ior", "KHR_materials_specular",
                                              "KHR_materials_pbrSpecularGlossiness"};
 
-/// Takes an extension off an object, and `extensions` too when it was the last.
-void remove_extension(Json& object, const char* name);
-
 /// Throws Error for an output that contradicts itself or the scene.
 void check_output(const GltfRewrite& rewrite);
 

@@ -43,22 +43,12 @@ void each_primitive(const GltfRewrite& rewrite, int material, const See& see) {
   }
 }
 
-/// A new accessor over bytes of its own; elements are padded to whole words, as vertex data must be.
+/// A new accessor over bytes of its own.
 int add_accessor(GltfRewrite& rewrite, const std::string& tight, std::size_t size, Json accessor,
                  int target) {
-  const std::size_t count = size == 0 ? 0 : tight.size() / size;
-  const std::size_t stride = target == 34963 ? size : (size + 3) / 4 * 4;
-  std::string& bytes = rewrite.added.emplace_back(count * stride, '\0');
-  for (std::size_t i = 0; i < count; ++i)
-    std::memcpy(bytes.data() + i * stride, tight.data() + i * size, size);
-  rewrite.buffers.push_back(bytes);
-  const int buffer = rewrite.append("buffers", {{"byteLength", bytes.size()}});
-  Json view{{"buffer", buffer}, {"byteLength", bytes.size()}, {"target", target}};
-  if (stride != size) view["byteStride"] = stride;
-  accessor["bufferView"] = rewrite.append("bufferViews", std::move(view));
-  accessor["count"] = count;
-  accessor.erase("byteOffset");
-  accessor.erase("sparse");
+  rewrite.buffers.push_back(
+      rewrite.added.emplace_back(put_in_view(rewrite.root, accessor, {tight, size, target})));
+  accessor["count"] = size == 0 ? 0 : tight.size() / size;
   return rewrite.append("accessors", std::move(accessor));
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/base/error.h"
+#include "core/image/mesh_codecs.h"
 #include "core/scene/gltf.h"
 #include "core/scene/uv_use.h"
 
@@ -59,6 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.variants = (data[0] & 2) == 0;
   if ((data[0] & 4) != 0) options.scene = 1;
   options.mesh = (data[0] & 8) != 0;
+  if ((data[0] & 16) != 0) options.mesh_door = mesh_door();
   const std::vector<char> bytes(data + 1, data + size);
   GltfScene scene;
   GltfOutput output;

@@ -20,6 +20,7 @@
 #include "core/base/text/text.h"
 #include "core/color/ocio.h"
 #include "core/image/image_io.h"
+#include "core/image/mesh_codecs.h"
 #include "core/render/ambient/accuracy.h"
 #include "core/render/ambient/ambient.h"
 #include "core/render/cpu_renderer.h"
@@ -272,6 +273,7 @@ std::shared_ptr<const Mesh> mesh_of(const RenderArguments& arguments) {
   if (!is_gltf_file(path)) throw Error::at(printable(path, 200), "no glTF scene", ".gltf or .glb");
   GltfOptions options;
   options.mesh = true;
+  options.mesh_door = mesh_door();
   Mesh mesh = read_gltf(path, options).mesh;
   if (arguments.scene.textures && !mesh.has_uvs)
     throw Error::at(path, "a mesh without UVs", "TEXCOORD_0 in each primitive, by which textures are laid");

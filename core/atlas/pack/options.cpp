@@ -153,6 +153,8 @@ PackOptions pack_options(const PackSettings& s) {
   out.output.write.zstd_level = s.zstd;
   out.output.smallest_form = s.gltf_form == "smallest";
   if (!out.output.smallest_form) out.output.forms = gltf_forms(s.gltf_form);
+  out.output.one_file = s.gltf_container == "glb";
+  out.output.webp = s.gltf_pictures == "webp";
   out.output.goal = goal(s.goal, out.output.smallest_form || out.output.forms.size() == 1);
   if (out.output.goal == PackGoal::one_page) refuse_beside_one_page(s);
   out.leave_out.islands = out.output.goal != PackGoal::one_page && out.leave_out.leaves("islands");

@@ -94,6 +94,8 @@ struct PackOutputOptions {
   std::vector<GltfForm> forms{GltfForm::specular_ior};
   bool smallest_form = false;     // of the exact ones the one whose textures weigh least, in place of `forms`
   PackGoal goal = PackGoal::gpu;  // what is weighed of a scene; files of PNG are the ones that count
+  bool one_file = false;          // scene.glb in place of scene.gltf and what lies beside it
+  bool webp = false;              // PNG files of the scene become lossless WebP where that is smaller
   bool bleed = false;
   bool overwrite = false;
   bool update = false;   // nothing is done when the result in place is of the same input and options

@@ -67,6 +67,12 @@ constexpr PackSettingRow setting_rows[] = {
     {content, "gltf-form", &S::gltf_form, 0, 0, "FORM", shown,
      "materials of the written glTF: smallest (of the forms that are exact in this scene the one whose textures weigh least), specular-ior (KHR_materials_specular and _ior), specular-glossiness or metal-rough; "
      "of several with ',' between the first is the material, the others are added"},
+    {content, "gltf-container", &S::gltf_container, 0, 0, "", shown,
+     "gltf: scene.gltf with its files beside it; glb: scene.glb, which holds its pictures and its buffer",
+     "gltf glb"},
+    {content, "gltf-pictures", &S::gltf_pictures, 0, 0, "", shown,
+     "of the written glTF: png; webp: lossless WebP (EXT_texture_webp) in place of each PNG that is larger",
+     "png webp"},
     {content, "goal", &S::goal, 0, 0, "", shown,
      "what is weighed where a scene's textures can be written in several ways (form, islands, on a page or as they were): gpu (bytes on a GPU, uncompressed with mips), disk (bytes of the files, which are "
      "compressed to be weighed) or both (shares of the input's, added); auto: both, of what takes no more of either than the input; one-page: one pair of textures for all materials, each of diffuse, alpha, F0 and gloss that they share stored once, numbers as texels, and no scene.gltf",

@@ -28,6 +28,7 @@ struct PackSettings {
   int view_height = 0;
   // content
   std::string pattern, gloss, ocio, gltf_form = "smallest", goal = "auto";
+  std::string gltf_container = "gltf", gltf_pictures = "png";
   std::vector<std::string> space_of;
   bool bleed = false, all_scenes = false, drop_variants = false;
   int scene = -1;  // the file's own

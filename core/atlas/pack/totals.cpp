@@ -119,12 +119,12 @@ void add_input_scene(PackTotals& to, const GltfScene& scene, const PictureDoor& 
 
 // What the scene reads beside the pages: pictures made of them, and those that stayed as they were.
 void add_scene(PackTotals& to, const AtlasLayout& layout, const OutputFolder& folder,
-               const PictureDoor& door) {
+               const std::string& written, const PictureDoor& door) {
   std::set<std::string> pages;
   for (const AtlasPage& page : layout.pages)
     for (const auto& files : page.files) pages.insert(files.begin(), files.end());
   to.scene.emplace();
-  const GltfScene scene = read_gltf(folder.path_until_commit("scene.gltf"), {});
+  const GltfScene scene = read_gltf(folder.path_until_commit(written), {});
   each_image(scene, door, [&](const ImageRole& image, const TextureFile& file) {
     const TextureTotals& totals = file.totals;
     to.scene->add(totals);
@@ -157,8 +157,9 @@ PackTotals pack_totals(const PackSource& source, const PackOptions& options, con
     add_manifest(out, source.materials(), door);
   add_pages(out.output, layout, folder);
   const auto& others = layout.other_files;
-  if (std::find(others.begin(), others.end(), "scene.gltf") != others.end())
-    add_scene(out, layout, folder, door);
+  for (const char* scene : {"scene.gltf", "scene.glb"})
+    if (std::find(others.begin(), others.end(), scene) != others.end())
+      add_scene(out, layout, folder, scene, door);
   return out;
 }
 

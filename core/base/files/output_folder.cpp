@@ -264,6 +264,12 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
   write(name, [&](const auto& sink) { sink(bytes); });
 }
 
+void OutputFolder::take_back(const std::string& name) {
+  sys::remove_in(state_->fresh_folder(), name.c_str());
+  const std::lock_guard lock(state_->lock);
+  state_->files.erase(name);
+}
+
 void OutputFolder::remove_old(const std::string& name) {
   state_->expect_plain(name);
   const std::lock_guard lock(state_->lock);

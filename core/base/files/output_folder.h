@@ -67,6 +67,9 @@ class OutputFolder : public Output {
   };
   std::unique_ptr<File> open(const std::string& name);
 
+  /// Removes a file that was written, such as one whose bytes now lie in another.
+  void take_back(const std::string& name);
+
   /// The path of a written file until commit(), for reading the file again.
   std::string path_until_commit(const std::string& name) const;
 

@@ -13,6 +13,7 @@
 #include "core/validate/files/material_evidence.h"
 #include "core/validate/files/metal_rough.h"
 #include "core/validate/files/page_parts.h"
+#include "core/validate/files/picture_looks.h"
 #include "core/validate/files/scene_check.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/files/tiles.h"
@@ -118,7 +119,9 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
 // Judges every used material on its own, on the texels that triangles read.
 void check_scene(const TargetFile& of_scene, const CheckTarget& target, const PictureDoor& door,
                  const Settings& settings, unsigned threads, CheckedFile& file) {
-  const GltfScene scene = read_gltf(of_scene.path, GltfOptions{});
+  GltfOptions parts;
+  parts.mesh_door = door.mesh;
+  const GltfScene scene = read_gltf(of_scene.path, parts);
   const MaterialUses uses(scene);
   SceneCheck check(uses, of_scene, door);
   const bool wants_pixels = needs_of(target, settings).pixels();
@@ -200,6 +203,7 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
       return check_scene(*scene, target, door, own, threads, file);
     if (const TargetFile* material = target.with_role({FileRole::material, FileRole::spectrum}))
       return check_material(*material, evidence);
+    look_at_pictures(target, door, own, evidence);
     if (is_map_set(target)) return check_map_set(target, door, own, evidence, file);
     if (MetalRoughSet::is_set(target)) return check_metal_rough(target, door, own, threads, evidence, file);
     const auto open = [&](const TargetFile& part) { return open_target_file(part, door); };

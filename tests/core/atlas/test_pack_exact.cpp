@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A form is called exact only where it is, and what no form can hold stays as it was.
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <map>
 
 #include "tests/core/atlas/pack_support.h"
 #include "tests/core/atlas/scene_support.h"
+#include "tests/core/scene/packed_meshes.h"
 #include "tests/core/scene/small_scene.h"
 #include "tests/core/scene/written_scene.h"
 #include "tests/core/validate/scene_verdicts.h"
@@ -254,4 +257,34 @@ TEST_CASE("instances change no texture: a scene that requires them is packed and
   // Where the triangles themselves are asked for, copies would be missing.
   CHECK(contains(error_of([&] { (void)read_gltf(folder.file("s.gltf"), {.scene = {}, .mesh = true}); }),
                  "EXT_mesh_gpu_instancing"));
+}
+
+TEST_CASE("a scene whose meshes are compressed is packed and judged as the uncompressed one is") {
+  const TempFolder folder;
+  save_png(folder.file("color.png"), noise(64, 32, 3, 7));
+  std::map<std::string, std::string> pages;
+  Told said;
+  for (const auto& [coding, name] :
+       {std::pair(MeshCoding::plain, "plain"), std::pair(MeshCoding::meshopt, "meshopt"),
+        std::pair(MeshCoding::draco, "draco")}) {
+    const MeshScene scene = mesh_scene(coding);
+    const std::string file = folder.file(std::string(name) + ".glb"), out = folder.file(name);
+    spit(file, glb(scene.json.dump(), scene.buffer));
+    const PackResult result = pack_scene(file, out, true, {});
+    CHECK(std::ranges::any_of(result.remarks, [](const std::string& remark) {
+            return contains(remark, "had compressed are written as");
+          }) == (coding != MeshCoding::plain));
+    std::map<std::string, std::string> written;
+    for (const auto& each : std::filesystem::directory_iterator(out))
+      if (each.path().extension() == ".png")
+        written[each.path().filename().string()] = slurp(each.path().string());
+    if (has_validator()) CHECK(validator_errors(out + "/scene.gltf", {out}) == "");
+    if (coding == MeshCoding::plain) {
+      pages = written;
+      said = told(said_of(file));
+      CHECK(!pages.empty());
+    }
+    CHECK(written == pages);
+    CHECK(text_of(told(said_of(file))) == text_of(said));
+  }
 }

@@ -364,10 +364,13 @@ PackedScene SceneRead::packed() const {
 }
 
 std::unique_ptr<const SceneRead> read_scene(const std::string& path, const PackOptions& options) {
+  GltfOptions parts = options.input.gltf;
+  parts.mesh_door = options.input.pictures.door.mesh;
   auto out = std::make_unique<SceneRead>(
       SceneRead{options, options.input.pictures.gloss.value_or(GlossForm::one_minus_roughness),
-                read_gltf(path, options.input.gltf)});
+                read_gltf(path, parts)});
   SceneRead& read = *out;
+  if (!read.scene.unpacked.empty()) read.remarks.push_back(read.scene.unpacked);
   read.stands_for = first_of_same_pictures(read.scene.images, read.scene.image_used);
   read.uses.emplace(read.scene);
   read.inputs.gloss = read.gloss;

@@ -14,9 +14,13 @@
 #include "core/atlas/pack/scene/scene_facts.h"
 #include "core/atlas/pack/scene/scene_pictures.h"
 #include "core/atlas/pack/table.h"
+#include "core/base/error.h"
+#include "core/base/files/file.h"
 #include "core/base/files/steady_file.h"
 #include "core/base/setting.h"
 #include "core/image/files/png_keep.h"
+#include "core/image/load.h"
+#include "core/image/picture_bytes.h"
 #include "core/scene/image_roles.h"
 
 namespace etak {
@@ -176,6 +180,78 @@ SceneMaps placed(const SceneRead& read, const MapsOfOthers& maps, const std::vec
   return best;
 }
 
+// The same texels as lossless WebP; empty where that is no smaller, or cannot be: 16 bits, or larger than WebP can be.
+std::string smaller_webp(std::string_view png, const std::string& label, const PictureDoor& door) {
+  constexpr int most_side = 16383;
+  if (!door.encode || picture_format(png.substr(0, 32), label) != "png") return {};
+  const Picture picture = load_picture(png, label, door);
+  const auto* const codes = std::get_if<Image8>(&picture.pixels);
+  if (codes == nullptr || codes->width > most_side || codes->height > most_side) return {};
+  Image fractions(codes->width, codes->height, codes->channels);
+  std::ranges::transform(codes->values, fractions.values.begin(),
+                         [](std::uint8_t code) { return static_cast<float>(code) / 255; });
+  std::string webp = door.encode(fractions, "webp", "");
+  if (webp.size() >= png.size()) return {};
+  const auto again = open_picture(webp, label, door), before = rows_of(*codes);
+  std::vector<std::uint8_t> one(4 * static_cast<std::size_t>(codes->width)), other = one;
+  for (int y = 0; y < codes->height; ++y) {
+    again->read_rows(one.data(), one.size(), 1);
+    before->read_rows(other.data(), other.size(), 1);
+    if (one != other) throw Error::at(label, "a WebP file that reads as other texels", "the same texels");
+  }
+  return webp;
+}
+
+std::string webp_name(const std::string& png, std::set<std::string>& taken) {
+  std::string out = std::filesystem::path(png).replace_extension(".webp").string();
+  for (int i = 1; !taken.insert(out).second; ++i)
+    out = std::to_string(i) + "_" + std::filesystem::path(png).replace_extension(".webp").string();
+  return out;
+}
+
+// Writes WebP files for pictures of pages and for those that stay, where these are smaller.
+//   names   of the files that the scene alone reads
+void put_webp(OutputFolder& folder, const SceneRead& read, const SceneChoice& choice, GltfOutput& out,
+              std::set<std::string>& names) {
+  const PictureDoor& door = read.options.input.pictures.door;
+  for (std::string& image : out.images) {
+    const std::string webp = smaller_webp(read_file(folder.path_until_commit(image)), image, door);
+    if (webp.empty()) continue;
+    const std::string name = webp_name(image, *out.taken);
+    folder.write(name, webp);
+    if (names.erase(image) > 0) folder.take_back(image);
+    names.insert(image = name);
+  }
+  const std::vector<bool> kept = images_kept(read.scene, choice.output);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    const PictureFile& file = read.file(index);
+    if (!kept[i] || out.rewritten.contains(index)) continue;
+    const std::string webp =
+        smaller_webp(file.bytes.empty() ? read_file(file.path) : file.bytes, file.label, door);
+    if (webp.empty()) continue;
+    const std::string plain = file.bytes.empty() ? std::filesystem::path(file.path).filename().string()
+                                                 : "image" + std::to_string(i);
+    const std::string name = webp_name(plain, *out.taken);
+    folder.write(name, webp);
+    names.insert(name);
+    out.rewritten.emplace(index, name);
+  }
+}
+
+// Writes scene.glb and takes away the files that it holds.
+void write_one_file(OutputFolder& folder, const WrittenGltf& written, const GltfOutput& out,
+                    std::set<std::string>& names) {
+  std::map<std::string, std::string> pictures;
+  for (const auto& list : {std::set<std::string>(out.images.begin(), out.images.end()), names})
+    for (const std::string& name : list)
+      pictures.try_emplace(name, read_file(folder.path_until_commit(name)));
+  const std::string glb = one_file(written, pictures, "scene.glb");
+  for (const std::string& name : names) folder.take_back(name);
+  folder.write("scene.glb", glb);
+  names = {"scene.glb"};
+}
+
 }  // namespace
 
 void weigh_page(const SceneRead& read, int page, const PagePixels& pixels, PackDecision& decision,
@@ -260,32 +336,37 @@ std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& la
   out.taken.emplace(pictures.begin(), pictures.end());
   for (const AtlasPage& page : layout.pages)
     for (const auto& files : page.files) out.taken->insert(files.begin(), files.end());
-  out.taken->insert({out.buffer_name, "scene.gltf", layout_file_name});
+  out.taken->insert({out.buffer_name, "scene.gltf", "scene.glb", layout_file_name});
+  std::set<std::string> names = pictures;
   std::map<std::string, const std::string*> texels;
   for (const int image : kept_light(read, choice))
     if (const auto& texel = read.light.at(image).texel) texels.emplace(texel->name, &texel->file);
-  for (const auto& [name, bytes] : texels) out.taken->insert(name);
-  const WrittenGltf written = write_gltf(read.scene, out);
-  std::vector<std::string> names(pictures.begin(), pictures.end());
   for (const auto& [name, bytes] : texels) {
+    out.taken->insert(name);
     folder.write(name, *bytes);
-    names.push_back(name);
+    names.insert(name);
   }
+  if (read.options.output.webp) put_webp(folder, read, choice, out, names);
+  const WrittenGltf written = write_gltf(read.scene, out);
   for (const CopiedFile& copy : written.files) {
     FileBytes file;
     file.load(copy.from);
     BytesInMemory bytes(file.view());
     const auto light = read.light.empty() ? std::nullopt : texels_alone(bytes);
     folder.write(copy.name, light ? std::string_view(*light) : file.view());
-    names.push_back(copy.name);
+    names.insert(copy.name);
+  }
+  if (read.options.output.one_file) {
+    write_one_file(folder, written, out, names);
+    return {names.begin(), names.end()};
   }
   folder.write("scene.gltf", written.json);
-  names.push_back("scene.gltf");
+  names.insert("scene.gltf");
   if (!written.buffer.empty()) {
     folder.write(out.buffer_name, written.buffer);
-    names.push_back(out.buffer_name);
+    names.insert(out.buffer_name);
   }
-  return names;
+  return {names.begin(), names.end()};
 }
 
 void add_remarks(const SceneRead& read, const SceneChoice& choice, std::vector<std::string>& remarks) {
