@@ -22,7 +22,7 @@ struct PackedChannel {
     int first = 0, last = 255;
     while (first < 255 && codes.share(index, 0, first) < 0.005) ++first;
     while (last > 0 && codes.share(index, last, 255) < 0.005) --last;
-    return last - first >= 4;  // JPEG takes most of a noise away
+    return last - first >= 2;  // JPEG takes most of a noise away, and keeps one value as it is
   }
 };
 
