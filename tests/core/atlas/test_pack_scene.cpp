@@ -62,9 +62,12 @@ Look packed_look(const GltfMaterial& m, Pictures& pictures, const std::array<flo
     const auto b = lookup(pictures(m.specular_color_texture->image), *m.specular_color_texture, uv, filter);
     for (std::size_t c = 0; c < 3; ++c) out.codes[4 + c] = b[c];
   }
-  if (m.metallic_roughness_texture)
-    out.codes[7] = lookup(pictures(m.metallic_roughness_texture->image), *m.metallic_roughness_texture, uv,
-                          Filter::codes)[1];
+  if (m.metallic_roughness_texture) {
+    const Image8& rough = pictures(m.metallic_roughness_texture->image);
+    // Of a grey picture the one channel is green as well.
+    const std::size_t green = rough.channels < 3 ? 0 : 1;
+    out.codes[7] = lookup(rough, *m.metallic_roughness_texture, uv, Filter::codes)[green];
+  }
   return out;
 }
 
