@@ -49,6 +49,36 @@ void add_emission(const TargetJob& j) {
   j.note("no field for the emission " + plain_text(emission) + " (radiance, linear)");
 }
 
+void write_target(const EngineTarget& target, const TargetJob& job) {
+  for (const TargetRow* row : rows)
+    if (row->target.id == target.id) row->write(job);
+}
+
+// The fields that a target has with one set of the film's numbers.
+EngineFilm::Side film_side(const EngineTarget& target, ExportSurface surface, ExportFilm::Choice choice,
+                           Fit fit) {
+  surface.film->choice = choice;
+  EngineValues values;
+  values.target = target.id;
+  write_target(target, {surface, fit, values});
+  return {std::move(values.fields), surface.film->values(target.film_form(surface.kind)).error};
+}
+
+void tell_film(const EngineTarget& target, const ExportSurface& surface, Fit fit, EngineValues& out) {
+  const std::string_view form = target.film_form(surface.kind);
+  if (form.empty()) {
+    out.notes.emplace_back("no film is written: F0 and F82 are those of the whole");
+    return;
+  }
+  const FilmInForm& in = *surface.film->forms.in(form);
+  EngineFilm& film = out.film.emplace();
+  if (in.honest) film.honest = film_side(target, surface, ExportFilm::Choice::honest, fit);
+  film.fitted = film_side(target, surface, ExportFilm::Choice::fitted, fit);
+  film.use_honest = in.use_honest();
+  film.advice = in.advice();
+  out.notes.push_back(film.advice);
+}
+
 }  // namespace
 
 std::span<const EngineTarget> engine_targets() {
@@ -76,9 +106,9 @@ EngineValues engine_values(const EngineTarget& target, const ExportSurface& surf
   const ExportSurface used = whole ? as_whole(surface) : surface;
   if (whole) out.notes.push_back(whole_note(*surface.coat));
   const TargetJob job{used, fit, out};
-  for (const TargetRow* row : rows)
-    if (row->target.id == target.id) row->write(job);
+  write_target(target, job);
   add_emission(job);
+  if (surface.film) tell_film(target, surface, fit, out);
   return out;
 }
 

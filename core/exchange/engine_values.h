@@ -18,10 +18,17 @@ namespace etak {
 // Kutz et al. 2021 (F82 tint); Gulbrandsen 2014. Unity and Blender as their programs behave.
 
 /// A program or format that values are written for.
+///   film_on_metal, film_on_dielectric   forms of core/iridescence; targets without are given F0 and F82 of the whole
 ///   has_coat   whether it draws a clear coat; others are given the whole of base and coat, and a note says so
 struct EngineTarget {
   std::string_view id, title;
   bool has_coat = false;
+  std::string_view film_on_metal = {}, film_on_dielectric = {};
+
+  /// The form of its film; empty: it has none on that base.
+  std::string_view film_form(SurfaceKind kind) const {
+    return kind == SurfaceKind::metal ? film_on_metal : film_on_dielectric;
+  }
 };
 
 /// hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, gltf,
@@ -39,10 +46,26 @@ struct EngineField {
   friend bool operator==(const EngineField&, const EngineField&) = default;
 };
 
+/// The film of a stack in a target: both sets of numbers as fields, their errors, which of them the target's fields are,
+/// and why.
+struct EngineFilm {
+  struct Side {
+    std::vector<EngineField> fields;
+    FilmError error;
+    friend bool operator==(const Side&, const Side&) = default;
+  };
+  std::optional<Side> honest;  // none: the stack is more than one film
+  Side fitted;
+  bool use_honest = false;
+  std::string advice;
+  friend bool operator==(const EngineFilm&, const EngineFilm&) = default;
+};
+
 /// The values of a surface in a target, the values that it cannot hold, and notes for the user.
 struct EngineValues {
   std::string_view target;  // id
   std::vector<EngineField> fields;
+  std::optional<EngineFilm> film = {};  // of a stack, where the target has a film
   Changes changes;
   std::vector<std::string> notes;
   friend bool operator==(const EngineValues&, const EngineValues&) = default;
@@ -78,6 +101,7 @@ struct OpenPbrValues {
   double coat_weight = 0, coat_ior = 1.6;
   double coat_darkening = 1;  // 0 but of a diffuse body: the graph darkens a smooth base as if it were one
   LinearRgb coat_color{1, 1, 1};  // what the coat lets pass, down and up
+  double thin_film_weight = 0, thin_film_thickness = 0.5, thin_film_ior = 1.4;  // of a stack; thickness in um
   friend bool operator==(const OpenPbrValues&, const OpenPbrValues&) = default;
 };
 /// In the surface's own space. OpenPBR has one index for a dielectric: it is that of the luminance of F0
@@ -96,6 +120,7 @@ struct GltfMaterialValues {
   double transmission = 0;  // KHR_materials_transmission: 1 of a clear body, not of specular-glossiness
   std::optional<ClearBody> volume;  // KHR_materials_volume of it
   bool specular_glossiness = false;
+  double iridescence = 0, iridescence_ior = 1.3, iridescence_nm = 0;  // KHR_materials_iridescence, of a stack
   double clearcoat =
       0;  // KHR_materials_clearcoat: 1 over a base that gives the whole below its coat of index 1.5
   friend bool operator==(const GltfMaterialValues&, const GltfMaterialValues&) = default;

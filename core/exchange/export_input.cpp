@@ -41,13 +41,16 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
     out.refusal = material.id + "/" + dataset.id + ": refused: " + result.refusal;
     return out;
   }
-  if (std::holds_alternative<Stack>(dataset.optics)) {
-    out.refusal = material.id + "/" + dataset.id + ": refused: a stack of layers, which no export holds yet";
-    return out;
-  }
   const LinearRgb diffuse = wishes.diffuse.value_or(LinearRgb{0, 0, 0});
   ExportSurface& surface =
       out.surface.emplace(export_surface(material, dataset, solver.options(), result, diffuse, wishes.gloss));
+  if (wishes.coat && surface.film) {
+    out.surface.reset();
+    out.refusal =
+        material.id + "/" + dataset.id +
+        ": refused: a coat over layers, which no target has; name it as a layer, such as 'pmma:2mm/...'";
+    return out;
+  }
   if (wishes.coat) {
     CoatedF0 coat;
     if (std::string why = coated(*wishes.coat, solver.options(), dataset.optics, coat); !why.empty()) {

@@ -85,6 +85,19 @@ void take_clarity(const Material& material, const Clarity& body, ExportSurface& 
     out.notes.emplace_back("a gas has no surface of its own: the index alone is of use");
 }
 
+// The films that the targets have.
+constexpr std::array<std::string_view, 3> exported_forms{"gltf", "openpbr-metal", "openpbr-dielectric"};
+
+void take_film(const Stack& stack, const Material& material, const F0Options& options, ExportSurface& out) {
+  std::vector<const FilmForm*> forms;
+  for (const std::string_view id : exported_forms) forms.push_back(film_form(id));
+  out.film = ExportFilm{film_parameters(stack, film_base(material.material_class), options, forms)};
+  out.notes.push_back("F0 and F82 are those of " + stack.text + ", layers and base together");
+  for (const std::string& note : out.film->forms.notes) out.notes.push_back(note);
+  if (!out.film->forms.no_honest.empty())
+    out.notes.push_back("films of renderers are fitted: " + out.film->forms.no_honest);
+}
+
 std::string numbers(const std::vector<double>& values) {
   return joined(values, " ", [](double value) { return number(value, 4); });
 }
@@ -107,9 +120,6 @@ std::optional<Fit> fit_named(std::string_view text) {
 
 ExportSurface export_surface(const Material& material, const Dataset& dataset, const F0Options& options,
                              const F0Result& result, const LinearRgb& diffuse, std::optional<Gloss> gloss) {
-  if (std::holds_alternative<Stack>(dataset.optics))
-    throw Error::at(material.id + "/" + dataset.id, "is a stack of layers, which no export holds yet",
-                    "a bare material");
   ExportSurface out;
   out.id = material.id;
   out.name = material.name;
@@ -135,6 +145,7 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
     if (out.kind == SurfaceKind::dielectric) out.diffuse = diffuse;
     if (const auto* constants = std::get_if<OpticalConstants>(&dataset.optics))
       out.log_n_hint = hint_of(*constants, options);
+    if (const auto* stack = std::get_if<Stack>(&dataset.optics)) take_film(*stack, material, options, out);
     if (!result.f82) out.notes.emplace_back("no edge is known: the data are reflectance at normal incidence");
     if (out.kind == SurfaceKind::dielectric && out.diffuse == LinearRgb{})
       take_clarity(material, clarity(material, dataset, options.space), out);
@@ -145,6 +156,12 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
   if (!gloss) out.notes.push_back(default_gloss_remark(standard));
   out.gloss = gloss.value_or(standard.gloss);
   return out;
+}
+
+const FilmValues& ExportFilm::values(std::string_view form) const {
+  const FilmInForm& found = *forms.in(form);
+  if (choice == Choice::advised) return found.used();
+  return choice == Choice::honest ? found.honest.value() : found.fitted;
 }
 
 SurfaceKind authored_kind(const LinearRgb& diffuse, const LinearRgb& f0) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/color/gloss.h"
+#include "core/iridescence/parameters.h"
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
 #include "core/material/material.h"
@@ -33,6 +34,18 @@ struct ExportCoat {
   friend bool operator==(const ExportCoat&, const ExportCoat&) = default;
 };
 
+/// A stack as the forms of renderers take it.
+///   choice   which numbers of a form are exported: those that its advice names, or the ones that are said
+struct ExportFilm {
+  enum class Choice { advised, honest, fitted };
+  FilmParameters forms;
+  Choice choice = Choice::advised;
+
+  /// Of a form that FilmParameters has, and of honest numbers where it has them.
+  const FilmValues& values(std::string_view form) const;
+  friend bool operator==(const ExportFilm&, const ExportFilm&) = default;
+};
+
 /// A surface to export: Schueler's four parameters, what is known of its edge and of its body.
 struct ExportSurface {
   std::string id;      // "gold": what it is called in files
@@ -46,6 +59,7 @@ struct ExportSurface {
   std::optional<LinearRgb> total;   // measured: what f0 and diffuse add up to at normal incidence
   std::optional<ClearBody> clear;   // of a dielectric without diffuse
   std::optional<ExportCoat> coat;   // f0 and f82 are those of the base without it
+  std::optional<ExportFilm> film;   // of a stack: f0 and f82 are those of layers and base together
   std::optional<double> ior;        // of the body, where f0 is not that of its surface in air
   Gloss gloss = 0.75;               // how rough: Schueler's gloss or perceptual roughness, [0, 1]
   double opacity = 1;               // [0, 1]

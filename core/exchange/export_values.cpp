@@ -35,11 +35,29 @@ std::string json_change(const Change& change) {
                      -1);
 }
 
+std::string json_film_side(const EngineFilm::Side& side) {
+  return json_object({{"fields", json_lines_of(side.fields, 13, json_field)},
+                      {"mean", json(side.error.mean)},
+                      {"max", json(side.error.largest)},
+                      {"normal", json(side.error.normal)}},
+                     11);
+}
+
+std::string json_film(const EngineFilm& film) {
+  return json_object({{"honest", film.honest ? json_film_side(*film.honest) : "null"},
+                      {"fitted", json_film_side(film.fitted)},
+                      {"use", json(film.use_honest ? "honest" : "fitted")},
+                      {"why", json(film.advice)}},
+                     9);
+}
+
 std::string json_target(const EngineValues& values) {
+  std::vector<JsonMember> last{{"notes", json_array_of(values.notes)}, {"copy", json(copy_text(values))}};
+  if (values.film) last.insert(last.begin(), {"film", json_film(*values.film)});
   return json_rows({{{"id", json(values.target)}, {"title", json(engine_target(values.target)->title)}},
                     {{"fields", json_lines_of(values.fields, 9, json_field)}},
                     {{"changes", json_lines_of(values.changes, 9, json_change)}},
-                    {{"notes", json_array_of(values.notes)}, {"copy", json(copy_text(values))}}},
+                    last},
                    9);
 }
 

@@ -26,6 +26,44 @@ OpenPbrValues coated_open_pbr(const ExportSurface& s, Fit fit, Changes& changes)
   return out;
 }
 
+// A surface whose F0 and edge are those of the base of a form's film; without the film.
+ExportSurface film_base_of(const ExportSurface& s, const double* f0, std::optional<LinearRgb> f82) {
+  ExportSurface out = s;
+  out.film.reset();
+  out.f0 = {f0[0], f0[1], f0[2]};
+  out.f82 = f82;
+  return out;
+}
+
+OpenPbrValues filmed_open_pbr(const ExportSurface& s, Fit fit, Changes& changes) {
+  const bool metal = s.kind == SurfaceKind::metal;
+  const FilmNumbers& x = s.film->values(metal ? "openpbr-metal" : "openpbr-dielectric").numbers;
+  ExportSurface base = film_base_of(s, x.data(), std::nullopt);
+  if (metal) {
+    const LinearRgb edge = schlick82(base.f0);
+    base.f82 = LinearRgb{edge.r * x[3], edge.g * x[4], edge.b * x[5]};
+  } else {
+    const double f0 = f64::f0(x[3], 0);
+    base.f0 = {f0, f0, f0};
+  }
+  OpenPbrValues out = open_pbr_values(base, fit, changes);
+  if (!metal) out.specular_color = {x[0], x[1], x[2]};
+  const std::size_t index = metal ? 6 : 4;
+  out.thin_film_ior = x[index];
+  out.thin_film_thickness = x[index + 1] / 1000;
+  out.thin_film_weight = x[index + 2];
+  return out;
+}
+
+GltfMaterialValues filmed_gltf(const ExportSurface& s, Fit fit, Changes& changes) {
+  const FilmNumbers& x = s.film->values("gltf").numbers;
+  GltfMaterialValues out = gltf_values(film_base_of(s, x.data(), std::nullopt), false, fit, changes);
+  out.iridescence = x[3];
+  out.iridescence_ior = x[4];
+  out.iridescence_nm = x[5];
+  return out;
+}
+
 }  // namespace
 
 LinearRgb layered_diffuse(const ExportSurface& s) {
@@ -35,6 +73,7 @@ LinearRgb layered_diffuse(const ExportSurface& s) {
 
 OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes) {
   if (s.coat) return coated_open_pbr(s, fit, changes);
+  if (s.film) return filmed_open_pbr(s, fit, changes);
   OpenPbrValues out;
   out.specular_roughness = s.gloss.roughness();
   out.geometry_opacity = s.opacity;
@@ -83,6 +122,7 @@ GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness,
     out.clearcoat = 1;
     return out;
   }
+  if (s.film && !specular_glossiness) return filmed_gltf(s, fit, changes);
   GltfMaterialValues out;
   out.specular_glossiness = specular_glossiness;
   out.roughness = s.gloss.roughness();

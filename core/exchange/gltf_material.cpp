@@ -164,7 +164,7 @@ class Pictures {
 
 struct Used {
   bool ior = false, specular = false, glossiness = false, transmission = false, emissive_strength = false,
-       clearcoat = false;
+       clearcoat = false, iridescence = false;
   Pictures pictures;
 };
 
@@ -232,6 +232,14 @@ std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, 
   } else {
     members.push_back({"pbrMetallicRoughness", metallic_roughness_of(s, v, pictures, used)});
     if (v.metallic == 0) extensions = dielectric_extensions(s, v, pictures, used);
+    if (v.iridescence > 0) {
+      used.iridescence = true;
+      extensions.push_back({"KHR_materials_iridescence",
+                            line_object({{"iridescenceFactor", json(v.iridescence)},
+                                         {"iridescenceIor", json(v.iridescence_ior)},
+                                         {"iridescenceThicknessMinimum", json(v.iridescence_nm)},
+                                         {"iridescenceThicknessMaximum", json(v.iridescence_nm)}})});
+    }
     if (v.clearcoat > 0) {
       used.clearcoat = true;
       extensions.push_back({"KHR_materials_clearcoat", line_object({{"clearcoatFactor", json(v.clearcoat)},
@@ -290,6 +298,7 @@ std::vector<std::string> extensions_of(const Used& used) {
   if (used.clearcoat) names.push_back("KHR_materials_clearcoat");
   if (used.emissive_strength) names.push_back("KHR_materials_emissive_strength");
   if (used.ior) names.push_back("KHR_materials_ior");
+  if (used.iridescence) names.push_back("KHR_materials_iridescence");
   if (used.specular) names.push_back("KHR_materials_specular");
   if (used.transmission) names.insert(names.end(), {"KHR_materials_transmission", "KHR_materials_volume"});
   if (used.glossiness) names.push_back("KHR_materials_pbrSpecularGlossiness");

@@ -120,6 +120,11 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const Mat
     node.input("coat_ior", v.coat_ior);
     node.input("coat_darkening", v.coat_darkening);
   }
+  if (v.thin_film_weight > 0) {
+    node.input("thin_film_weight", v.thin_film_weight);
+    node.input("thin_film_thickness", v.thin_film_thickness);
+    node.input("thin_film_ior", v.thin_film_ior);
+  }
   if (pictures.geometry_opacity.empty() && v.geometry_opacity < 1)
     node.input("geometry_opacity", v.geometry_opacity);
   if (s.emission != LinearRgb{}) {

@@ -122,6 +122,9 @@ FilmParameters film_parameters(const Stack& stack, FilmBase base, const F0Option
     throw Error::at(printable(stack.text, 80),
                     "films of renderers lie in air, and the outside medium is " + options.outside.label,
                     "no outside medium");
+  if (options.space != RgbSpace::srgb || options.custom_space)
+    throw Error::at(printable(stack.text, 80),
+                    "films are fitted in linear sRGB, and the space is " + space_name(options), "srgb");
   const SeenStack seen(stack, options);
   const FilmTruth truth = film_truth([&](double cosine) { return seen(cosine); });
   const FilmFacts facts = facts_of(stack, seen, options);

@@ -16,6 +16,7 @@ namespace etak {
 struct FilmValues {
   FilmNumbers numbers{};
   FilmError error;
+  friend bool operator==(const FilmValues&, const FilmValues&) = default;
 };
 
 /// A stack in a form.
@@ -31,6 +32,7 @@ struct FilmInForm {
   const FilmValues& used() const { return use_honest() ? *honest : fitted; }
   /// Which numbers to use and why, a sentence.
   std::string advice() const;
+  friend bool operator==(const FilmInForm&, const FilmInForm&) = default;
 };
 
 /// What renderers are told of a stack.
@@ -42,10 +44,11 @@ struct FilmParameters {
   std::vector<std::string> notes;
   std::vector<FilmInForm> forms;  // those asked for that have the base
   const FilmInForm* in(std::string_view form_id) const;
+  friend bool operator==(const FilmParameters&, const FilmParameters&) = default;
 };
 
 /// Fits the forms to a stack, one after the other. Throws Error (naming the stack) for an outside medium other than
-/// vacuum or air, because no renderer's film has one, and as SeenStack does.
+/// vacuum or air, because no renderer's film has one, for another space than linear sRGB, and as SeenStack does.
 FilmParameters film_parameters(const Stack& stack, FilmBase base, const F0Options& options,
                                std::span<const FilmForm* const> forms);
 

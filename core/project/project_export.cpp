@@ -51,6 +51,7 @@ ExportSurface numbers_of(ProjectMaterial m, const MaterialLibrary& library) {
   out.diffuse = {0, 0, 0};
   out.total.reset();
   out.clear.reset();
+  out.film.reset();
   if (has(m, Channel::specular)) out.source = "F0 of a picture";
   return out;
 }

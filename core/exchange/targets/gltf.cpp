@@ -23,6 +23,12 @@ void write_gltf(const TargetJob& j) {
     j.add("KHR_materials_clearcoat.clearcoatFactor", v.clearcoat);
     j.add("KHR_materials_clearcoat.clearcoatRoughnessFactor", 0);
   }
+  if (v.iridescence > 0) {
+    j.add("KHR_materials_iridescence.iridescenceFactor", v.iridescence);
+    j.add("KHR_materials_iridescence.iridescenceIor", v.iridescence_ior);
+    j.add("KHR_materials_iridescence.iridescenceThicknessMinimum", v.iridescence_nm);
+    j.add("KHR_materials_iridescence.iridescenceThicknessMaximum", v.iridescence_nm);
+  }
   j.opacity("baseColorFactor alpha");
 }
 
@@ -37,7 +43,7 @@ void write_gltf_gloss(const TargetJob& j) {
 
 }  // namespace
 
-constinit const TargetRow target_gltf{{"gltf", "glTF 2.0 metal-rough", true}, write_gltf};
+constinit const TargetRow target_gltf{{"gltf", "glTF 2.0 metal-rough", true, "gltf", "gltf"}, write_gltf};
 constinit const TargetRow target_gltf_gloss{{"gltf-specular-glossiness", "glTF 2.0 specular-glossiness"},
                                             write_gltf_gloss};
 

@@ -24,11 +24,17 @@ void write_open_pbr(const TargetJob& j) {
     j.add("coat_ior", v.coat_ior);
     j.add("coat_darkening", v.coat_darkening);
   }
+  if (v.thin_film_weight > 0) {
+    j.add("thin_film_weight", v.thin_film_weight);
+    j.add("thin_film_thickness", v.thin_film_thickness);
+    j.add("thin_film_ior", v.thin_film_ior);
+  }
   j.opacity("geometry_opacity");
 }
 
 }  // namespace
 
-constinit const TargetRow target_open_pbr{{"openpbr", "OpenPBR 1.1", true}, write_open_pbr};
+constinit const TargetRow target_open_pbr{
+    {"openpbr", "OpenPBR 1.1", true, "openpbr-metal", "openpbr-dielectric"}, write_open_pbr};
 
 }  // namespace etak

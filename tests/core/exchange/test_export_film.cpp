@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exports of stacks: the fields of each target's film, their units, and the errors that are told, computed again from the
+// fields alone.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/exchange/export_input.h"
+#include "core/exchange/export_values.h"
+#include "core/exchange/gltf_material.h"
+#include "core/exchange/material_x.h"
+#include "core/material/seen_stack.h"
+#include "core/material/stack.h"
+#include "tests/core/exchange/field.h"
+#include "tests/core/material/library_support.h"
+#include "tests/gltf_judge.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+const LibraryWhenAsked known = []() -> const MaterialLibrary& { return library(); };
+
+ExportSurface surface_of(const std::string& name) {
+  InputNames names;
+  names.names = {name};
+  ExportAnswer answer = export_answer(find_inputs(names, known, 1).at(0), {}, F0Solver({}), {});
+  REQUIRE(answer.refusal == "");
+  return *answer.surface;
+}
+
+EngineValues values_for(const char* target, const ExportSurface& surface) {
+  return engine_values(*engine_target(target), surface);
+}
+
+double number_in(const std::vector<EngineField>& fields, std::string_view name) {
+  for (const EngineField& each : fields)
+    if (each.name == name) return each.values.at(0);
+  FAIL("no field " << name);
+  return 0;
+}
+
+std::vector<double> color_in(const std::vector<EngineField>& fields, std::string_view name) {
+  for (const EngineField& each : fields)
+    if (each.name == name) return each.values;
+  FAIL("no field " << name);
+  return {};
+}
+
+SeenStack seen_stack(const std::string& name) {
+  const Material material = stack_material(name, [](std::string_view part, const std::string& place) {
+    return library_part(library(), part, place);
+  });
+  return SeenStack(std::get<Stack>(material.preferred_dataset().optics));
+}
+
+FilmTruth truth_of(const std::string& name) {
+  const SeenStack seen = seen_stack(name);
+  return film_truth([&](double cosine) { return seen(cosine); });
+}
+
+const std::string iridescence = "KHR_materials_iridescence.iridescence";
+
+}  // namespace
+
+TEST_CASE("glTF's film of anodised titanium is in nanometres, and its fields miss what is told of them") {
+  const EngineValues values = values_for("gltf", surface_of("anatase:40nm/titanium"));
+  REQUIRE(values.film);
+  CHECK_FALSE(values.film->use_honest);
+  CHECK(values.fields == values.film->fitted.fields);
+  REQUIRE(values.film->honest);
+  CHECK(number_in(values.film->honest->fields, iridescence + "ThicknessMaximum") == 40);
+  CHECK(number_in(values.film->honest->fields, iridescence + "Factor") == 1);
+  CHECK(values.film->honest->error.mean > 10);
+  CHECK(values.film->fitted.error.mean < 3);
+  const FilmTruth truth = truth_of("anatase:40nm/titanium");
+  for (const EngineFilm::Side& side : {*values.film->honest, values.film->fitted}) {
+    const auto base = color_in(side.fields, "baseColorFactor");
+    const FilmNumbers numbers{base[0],
+                              base[1],
+                              base[2],
+                              number_in(side.fields, iridescence + "Factor"),
+                              number_in(side.fields, iridescence + "Ior"),
+                              number_in(side.fields, iridescence + "ThicknessMaximum")};
+    CHECK(number_in(side.fields, iridescence + "ThicknessMinimum") == numbers[5]);
+    const FilmError error = film_error(*film_form("gltf"), numbers, truth);
+    CHECK(error.mean == Approx(side.error.mean).margin(1e-9));
+    CHECK(error.largest == Approx(side.error.largest).margin(1e-9));
+    CHECK(error.normal == Approx(side.error.normal).margin(1e-9));
+  }
+}
+
+TEST_CASE("OpenPBR's film of anodised titanium is in micrometres, and its fields miss what is told of them") {
+  const EngineValues values = values_for("openpbr", surface_of("anatase:40nm/titanium"));
+  REQUIRE(values.film);
+  CHECK(number_in(values.film->honest->fields, "thin_film_thickness") == Approx(0.04));
+  const auto& fitted = values.film->fitted.fields;
+  const auto base = color_in(fitted, "base_color"), tint = color_in(fitted, "specular_color");
+  const FilmNumbers numbers{base[0],
+                            base[1],
+                            base[2],
+                            tint[0],
+                            tint[1],
+                            tint[2],
+                            number_in(fitted, "thin_film_ior"),
+                            1000 * number_in(fitted, "thin_film_thickness"),
+                            number_in(fitted, "thin_film_weight")};
+  const FilmError error = film_error(*film_form("openpbr-metal"), numbers, truth_of("anatase:40nm/titanium"));
+  CHECK(error.mean == Approx(values.film->fitted.error.mean).margin(1e-6));
+}
+
+TEST_CASE("a film on glass goes to glTF by index and specular colour, and to OpenPBR's dielectric") {
+  const ExportSurface surface = surface_of("magnesium_fluoride:100nm/fused_silica");
+  CHECK(surface.kind == SurfaceKind::dielectric);
+  const EngineValues gltf = values_for("gltf", surface);
+  REQUIRE(gltf.film);
+  const auto tint = color_in(gltf.film->fitted.fields, "KHR_materials_specular.specularColorFactor");
+  const double ior = number_in(gltf.film->fitted.fields, "KHR_materials_ior.ior");
+  const double f0 = std::pow((ior - 1) / (ior + 1), 2);
+  const FilmNumbers& numbers = surface.film->forms.in("gltf")->fitted.numbers;
+  for (std::size_t c = 0; c < 3; ++c) CHECK(f0 * tint[c] == Approx(numbers[c]).margin(1e-9));
+  const EngineValues openpbr = values_for("openpbr", surface);
+  CHECK(number_in(openpbr.film->honest->fields, "specular_ior") == Approx(1.46).margin(0.01));
+  CHECK(number_in(openpbr.film->honest->fields, "thin_film_ior") == Approx(1.378).margin(0.01));
+}
+
+TEST_CASE("targets without a film are given F0 of the whole, and say so") {
+  const ExportSurface surface = surface_of("anatase:40nm/titanium");
+  const EngineValues values = values_for("unreal", surface);
+  CHECK_FALSE(values.film);
+  CHECK(values.notes.back() == "no film is written: F0 and F82 are those of the whole");
+  const SeenStack seen = seen_stack("anatase:40nm/titanium");
+  CHECK(field(values, "Base Color").values[0] == Approx(seen(1)[0]).margin(1e-9));
+}
+
+TEST_CASE("several layers have no honest numbers in a target, and fitted ones") {
+  const ExportSurface surface = surface_of("fused_silica:80nm/anatase:40nm/aluminum");
+  const EngineValues values = values_for("gltf", surface);
+  REQUIRE(values.film);
+  CHECK_FALSE(values.film->honest);
+  const std::string json = export_json({{surface, "x", {values}}}, Fit::clamp, "p");
+  CHECK(contains(json, "\"honest\": null"));
+  CHECK(contains(json, "\"use\": \"fitted\""));
+}
+
+TEST_CASE("files of stacks have the films, and Khronos' validator finds nothing in them") {
+  const std::vector<ExportSurface> surfaces{surface_of("anatase:40nm/titanium"),
+                                            surface_of("magnesium_fluoride:100nm/fused_silica")};
+  std::vector<Changes> changes;
+  const std::string mtlx = material_x(surfaces, Fit::clamp, changes);
+  CHECK(count_of(mtlx, "<input name=\"thin_film_thickness\" type=\"float\"") == 2);
+  const std::string gltf =
+      gltf_document(surfaces, GltfMaterialForm::metal_rough, GltfContainer::gltf, Fit::clamp, changes);
+  CHECK(count_of(gltf, "\"KHR_materials_iridescence\": {") == 2);
+  const TempFolder folder;
+  const std::string file = folder.file("films.gltf");
+  spit(file, gltf);
+  if (const auto messages = gltf_messages(folder.path(), {file})) CHECK(*messages == "");
+}
+
+TEST_CASE("a film in another space or under water is refused in one line") {
+  const auto refusal = [](const F0Options& options) {
+    InputNames names;
+    names.names = {"anatase:40nm/titanium"};
+    return error_of(
+        [&] { (void)export_answer(find_inputs(names, known, 1).at(0), {}, F0Solver(options), {}); });
+  };
+  F0Options space;
+  space.space = RgbSpace::acescg;
+  CHECK(contains(refusal(space), "films are fitted in linear sRGB"));
+  F0Options water;
+  water.outside = {"water", 1.333};
+  CHECK(contains(refusal(water), "films of renderers lie in air"));
+}
