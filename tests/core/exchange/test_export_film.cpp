@@ -20,17 +20,17 @@ using namespace etak::test;
 
 namespace {
 
-const LibraryWhenAsked known = []() -> const MaterialLibrary& { return library(); };
+const LibraryWhenAsked whole_library = []() -> const MaterialLibrary& { return library(); };
 
-ExportSurface surface_of(const std::string& name) {
+ExportSurface filmed_surface(const std::string& name) {
   InputNames names;
   names.names = {name};
-  ExportAnswer answer = export_answer(find_inputs(names, known, 1).at(0), {}, F0Solver({}), {});
+  ExportAnswer answer = export_answer(find_inputs(names, whole_library, 1).at(0), {}, F0Solver({}), {});
   REQUIRE(answer.refusal == "");
   return *answer.surface;
 }
 
-EngineValues values_for(const char* target, const ExportSurface& surface) {
+EngineValues film_values(const char* target, const ExportSurface& surface) {
   return engine_values(*engine_target(target), surface);
 }
 
@@ -48,42 +48,42 @@ std::vector<double> color_in(const std::vector<EngineField>& fields, std::string
   return {};
 }
 
-SeenStack seen_stack(const std::string& name) {
+SeenStack exact_stack(const std::string& name) {
   const Material material = stack_material(name, [](std::string_view part, const std::string& place) {
     return library_part(library(), part, place);
   });
   return SeenStack(std::get<Stack>(material.preferred_dataset().optics));
 }
 
-FilmTruth truth_of(const std::string& name) {
-  const SeenStack seen = seen_stack(name);
+FilmTruth film_truth_of(const std::string& name) {
+  const SeenStack seen = exact_stack(name);
   return film_truth([&](double cosine) { return seen(cosine); });
 }
 
-const std::string iridescence = "KHR_materials_iridescence.iridescence";
+const std::string iridescence_prefix = "KHR_materials_iridescence.iridescence";
 
 }  // namespace
 
 TEST_CASE("glTF's film of anodised titanium is in nanometres, and its fields miss what is told of them") {
-  const EngineValues values = values_for("gltf", surface_of("anatase:40nm/titanium"));
+  const EngineValues values = film_values("gltf", filmed_surface("anatase:40nm/titanium"));
   REQUIRE(values.film);
   CHECK_FALSE(values.film->use_honest);
   CHECK(values.fields == values.film->fitted.fields);
   REQUIRE(values.film->honest);
-  CHECK(number_in(values.film->honest->fields, iridescence + "ThicknessMaximum") == 40);
-  CHECK(number_in(values.film->honest->fields, iridescence + "Factor") == 1);
+  CHECK(number_in(values.film->honest->fields, iridescence_prefix + "ThicknessMaximum") == 40);
+  CHECK(number_in(values.film->honest->fields, iridescence_prefix + "Factor") == 1);
   CHECK(values.film->honest->error.mean > 10);
   CHECK(values.film->fitted.error.mean < 3);
-  const FilmTruth truth = truth_of("anatase:40nm/titanium");
+  const FilmTruth truth = film_truth_of("anatase:40nm/titanium");
   for (const EngineFilm::Side& side : {*values.film->honest, values.film->fitted}) {
     const auto base = color_in(side.fields, "baseColorFactor");
     const FilmNumbers numbers{base[0],
                               base[1],
                               base[2],
-                              number_in(side.fields, iridescence + "Factor"),
-                              number_in(side.fields, iridescence + "Ior"),
-                              number_in(side.fields, iridescence + "ThicknessMaximum")};
-    CHECK(number_in(side.fields, iridescence + "ThicknessMinimum") == numbers[5]);
+                              number_in(side.fields, iridescence_prefix + "Factor"),
+                              number_in(side.fields, iridescence_prefix + "Ior"),
+                              number_in(side.fields, iridescence_prefix + "ThicknessMaximum")};
+    CHECK(number_in(side.fields, iridescence_prefix + "ThicknessMinimum") == numbers[5]);
     const FilmError error = film_error(*film_form("gltf"), numbers, truth);
     CHECK(error.mean == Approx(side.error.mean).margin(1e-9));
     CHECK(error.largest == Approx(side.error.largest).margin(1e-9));
@@ -92,7 +92,7 @@ TEST_CASE("glTF's film of anodised titanium is in nanometres, and its fields mis
 }
 
 TEST_CASE("OpenPBR's film of anodised titanium is in micrometres, and its fields miss what is told of them") {
-  const EngineValues values = values_for("openpbr", surface_of("anatase:40nm/titanium"));
+  const EngineValues values = film_values("openpbr", filmed_surface("anatase:40nm/titanium"));
   REQUIRE(values.film);
   CHECK(number_in(values.film->honest->fields, "thin_film_thickness") == Approx(0.04));
   const auto& fitted = values.film->fitted.fields;
@@ -106,37 +106,38 @@ TEST_CASE("OpenPBR's film of anodised titanium is in micrometres, and its fields
                             number_in(fitted, "thin_film_ior"),
                             1000 * number_in(fitted, "thin_film_thickness"),
                             number_in(fitted, "thin_film_weight")};
-  const FilmError error = film_error(*film_form("openpbr-metal"), numbers, truth_of("anatase:40nm/titanium"));
+  const FilmError error =
+      film_error(*film_form("openpbr-metal"), numbers, film_truth_of("anatase:40nm/titanium"));
   CHECK(error.mean == Approx(values.film->fitted.error.mean).margin(1e-6));
 }
 
 TEST_CASE("a film on glass goes to glTF by index and specular colour, and to OpenPBR's dielectric") {
-  const ExportSurface surface = surface_of("magnesium_fluoride:100nm/fused_silica");
+  const ExportSurface surface = filmed_surface("magnesium_fluoride:100nm/fused_silica");
   CHECK(surface.kind == SurfaceKind::dielectric);
-  const EngineValues gltf = values_for("gltf", surface);
+  const EngineValues gltf = film_values("gltf", surface);
   REQUIRE(gltf.film);
   const auto tint = color_in(gltf.film->fitted.fields, "KHR_materials_specular.specularColorFactor");
   const double ior = number_in(gltf.film->fitted.fields, "KHR_materials_ior.ior");
   const double f0 = std::pow((ior - 1) / (ior + 1), 2);
   const FilmNumbers& numbers = surface.film->forms.in("gltf")->fitted.numbers;
   for (std::size_t c = 0; c < 3; ++c) CHECK(f0 * tint[c] == Approx(numbers[c]).margin(1e-9));
-  const EngineValues openpbr = values_for("openpbr", surface);
+  const EngineValues openpbr = film_values("openpbr", surface);
   CHECK(number_in(openpbr.film->honest->fields, "specular_ior") == Approx(1.46).margin(0.01));
   CHECK(number_in(openpbr.film->honest->fields, "thin_film_ior") == Approx(1.378).margin(0.01));
 }
 
 TEST_CASE("targets without a film are given F0 of the whole, and say so") {
-  const ExportSurface surface = surface_of("anatase:40nm/titanium");
-  const EngineValues values = values_for("unreal", surface);
+  const ExportSurface surface = filmed_surface("anatase:40nm/titanium");
+  const EngineValues values = film_values("unreal", surface);
   CHECK_FALSE(values.film);
   CHECK(values.notes.back() == "no film is written: F0 and F82 are those of the whole");
-  const SeenStack seen = seen_stack("anatase:40nm/titanium");
+  const SeenStack seen = exact_stack("anatase:40nm/titanium");
   CHECK(field(values, "Base Color").values[0] == Approx(seen(1)[0]).margin(1e-9));
 }
 
 TEST_CASE("several layers have no honest numbers in a target, and fitted ones") {
-  const ExportSurface surface = surface_of("fused_silica:80nm/anatase:40nm/aluminum");
-  const EngineValues values = values_for("gltf", surface);
+  const ExportSurface surface = filmed_surface("fused_silica:80nm/anatase:40nm/aluminum");
+  const EngineValues values = film_values("gltf", surface);
   REQUIRE(values.film);
   CHECK_FALSE(values.film->honest);
   const std::string json = export_json({{surface, "x", {values}}}, Fit::clamp, "p");
@@ -145,8 +146,8 @@ TEST_CASE("several layers have no honest numbers in a target, and fitted ones") 
 }
 
 TEST_CASE("files of stacks have the films, and Khronos' validator finds nothing in them") {
-  const std::vector<ExportSurface> surfaces{surface_of("anatase:40nm/titanium"),
-                                            surface_of("magnesium_fluoride:100nm/fused_silica")};
+  const std::vector<ExportSurface> surfaces{filmed_surface("anatase:40nm/titanium"),
+                                            filmed_surface("magnesium_fluoride:100nm/fused_silica")};
   std::vector<Changes> changes;
   const std::string mtlx = material_x(surfaces, Fit::clamp, changes);
   CHECK(count_of(mtlx, "<input name=\"thin_film_thickness\" type=\"float\"") == 2);
@@ -164,7 +165,7 @@ TEST_CASE("a film in another space or under water is refused in one line") {
     InputNames names;
     names.names = {"anatase:40nm/titanium"};
     return error_of(
-        [&] { (void)export_answer(find_inputs(names, known, 1).at(0), {}, F0Solver(options), {}); });
+        [&] { (void)export_answer(find_inputs(names, whole_library, 1).at(0), {}, F0Solver(options), {}); });
   };
   F0Options space;
   space.space = RgbSpace::acescg;

@@ -90,7 +90,7 @@ TEST_CASE("a citation is one line with authors, title, place, year and doi, and 
                            "1972", "10.1103/PhysRevB.6.4370"})
     CHECK(contains(line, part));
   CHECK(!contains(line, "\n"));
-  CHECK(!contains(one_line({{}, "Title", "", 0, "", "", "CC0-1.0", ""}), "0"));
-  CHECK(one_line({}).empty());
-  CHECK(!contains(one_line({{"A"}, "", "J. 1", 2000, "", "", "", ""}), ", ,"));
+  CHECK(!contains(one_line(Citation{{}, "Title", "", 0, "", "", "CC0-1.0", ""}), "0"));
+  CHECK(one_line(Citation{}).empty());
+  CHECK(!contains(one_line(Citation{{"A"}, "", "J. 1", 2000, "", "", "", ""}), ", ,"));
 }
