@@ -1,44 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/image/picture_bytes.h"
 
-#include <array>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
 #include "core/base/error.h"
-#include "core/base/text/ascii.h"
 #include "core/image/files/png.h"
-#include "core/image/files/png_chunks.h"
 #include "core/image/image.h"
 
 namespace etak {
 namespace {
-
-struct Signature {
-  std::string_view bytes, format;
-};
-
-constexpr std::array signatures{
-    Signature{png_signature, "png"},
-    Signature{{"\xFF\xD8\xFF", 3}, "jpeg"},
-    Signature{{"\x76\x2F\x31\x01", 4}, "openexr"},
-    Signature{{"#?RADIANCE", 10}, "hdr"},
-    Signature{{"#?RGBE", 6}, "hdr"},
-    Signature{{"II*\0", 4}, "tiff"},
-    Signature{{"MM\0*", 4}, "tiff"},
-    Signature{{"II+\0", 4}, "tiff"},
-    Signature{{"MM\0+", 4}, "tiff"},
-    Signature{{"GIF", 3}, "gif"},  // all that its decoder asks for
-    Signature{{"BM", 2}, "bmp"},
-    Signature{{"DDS ", 4}, "dds"},
-    Signature{{"\xABKTX 20\xBB\r\n\x1A\n", 12}, "ktx2"},
-    Signature{{"8BPS", 4}, "psd"},
-    Signature{{"SDPX", 4}, "dpx"},
-    Signature{{"XPDS", 4}, "dpx"},
-    Signature{{"\0\0\0\x0CjP  \r\n\x87\n", 12}, "jpeg2000"},
-};
 
 // Codes of a GIF file have 12 bits at most, and a code stands for 4096 pixels at most (GIF89a, appendix F).
 constexpr std::size_t most_gif_pixels_a_byte = 4096 * 8 / 12;
@@ -48,10 +20,6 @@ std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t size, b
   for (std::size_t i = 0; i < size; ++i)
     out = out << 8 | static_cast<std::uint8_t>(bytes[at + (big_endian ? i : size - 1 - i)]);
   return out;
-}
-
-bool ends_in(std::string_view name, std::string_view ending) {
-  return lower_case(name).ends_with(ending);
 }
 
 [[noreturn]] void fail_cut(std::string_view label) {
@@ -123,19 +91,6 @@ bool webp_is_lossy(std::string_view bytes) {
 }
 
 }  // namespace
-
-std::string picture_format(std::string_view bytes, std::string_view name) {
-  for (const Signature& signature : signatures)
-    if (bytes.starts_with(signature.bytes)) return std::string(signature.format);
-  if (bytes.starts_with("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP") return "webp";
-  if (bytes.size() >= 3 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
-      std::isspace(static_cast<unsigned char>(bytes[2])) != 0)
-    return "pnm";
-  if (bytes.size() >= 3 && bytes[0] == 'P' && (bytes[1] == 'f' || bytes[1] == 'F') && bytes[2] == '\n')
-    return "pnm";
-  if (ends_in(name, ".tga")) return "targa";
-  return {};
-}
 
 bool is_lossy(std::string_view bytes, std::string_view format, std::string_view compression) {
   if (format == "jpeg" || format == "jpeg2000" || format == "heif") return true;
