@@ -54,10 +54,6 @@ struct FilmForm {
   FilmNumbers (*honest)(const FilmFacts& facts);
 };
 
-#define ETAK_FILM_FORM(name) extern const FilmForm film_form_##name;
-#include "core/iridescence/forms/forms.inc"
-#undef ETAK_FILM_FORM
-
 /// All forms, in the order of forms.inc.
 std::span<const FilmForm* const> film_forms();
 const FilmForm* film_form(std::string_view id);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "core/iridescence/form.h"
+#include "core/iridescence/forms/rows.h"
 
 namespace etak {
 

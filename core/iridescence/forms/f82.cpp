@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/fresnel/fresnel.h"
-#include "core/iridescence/form.h"
+#include "core/iridescence/forms/rows.h"
 
 namespace etak {
 namespace {

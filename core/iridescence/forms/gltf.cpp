@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "core/fresnel/fresnel.h"
-#include "core/iridescence/form.h"
 #include "core/iridescence/forms/belcour_barla.h"
+#include "core/iridescence/forms/rows.h"
 
 namespace etak {
 namespace {

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "core/fresnel/fresnel.h"
-#include "core/iridescence/form.h"
 #include "core/iridescence/forms/belcour_barla.h"
+#include "core/iridescence/forms/rows.h"
 
 // The four forms of MaterialX 1.39.5: its nodes conductor_bsdf and generalized_schlick_bsdf, and its graph of OpenPBR,
 // where a metal is generalized_schlick_bsdf, a dielectric dielectric_bsdf, and the film's weight mixes with the bare base.
