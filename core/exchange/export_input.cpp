@@ -41,6 +41,11 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
     out.refusal = material.id + "/" + dataset.id + ": refused: " + result.refusal;
     return out;
   }
+  if (std::holds_alternative<Stack>(dataset.optics))
+    if (const std::string why = film_refusal(solver.options()); !why.empty()) {
+      out.refusal = material.id + "/" + dataset.id + ": refused: " + why;
+      return out;
+    }
   const LinearRgb diffuse = wishes.diffuse.value_or(LinearRgb{0, 0, 0});
   ExportSurface& surface =
       out.surface.emplace(export_surface(material, dataset, solver.options(), result, diffuse, wishes.gloss));

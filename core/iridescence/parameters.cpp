@@ -116,15 +116,18 @@ const FilmInForm* FilmParameters::in(std::string_view form_id) const {
   return found == forms.end() ? nullptr : &*found;
 }
 
+std::string film_refusal(const F0Options& options) {
+  if (options.outside.label != "vacuum" && options.outside.label != "air")
+    return "films of renderers lie in air, and the outside medium is " + options.outside.label;
+  if (options.space != RgbSpace::srgb || options.custom_space)
+    return "films are fitted in linear sRGB, and the space is " + space_name(options);
+  return {};
+}
+
 FilmParameters film_parameters(const Stack& stack, FilmBase base, const F0Options& options,
                                std::span<const FilmForm* const> forms) {
-  if (options.outside.label != "vacuum" && options.outside.label != "air")
-    throw Error::at(printable(stack.text, 80),
-                    "films of renderers lie in air, and the outside medium is " + options.outside.label,
-                    "no outside medium");
-  if (options.space != RgbSpace::srgb || options.custom_space)
-    throw Error::at(printable(stack.text, 80),
-                    "films are fitted in linear sRGB, and the space is " + space_name(options), "srgb");
+  if (const std::string why = film_refusal(options); !why.empty())
+    throw Error::at(printable(stack.text, 80), why);
   const SeenStack seen(stack, options);
   const FilmTruth truth = film_truth([&](double cosine) { return seen(cosine); });
   const FilmFacts facts = facts_of(stack, seen, options);

@@ -47,8 +47,12 @@ struct FilmParameters {
   friend bool operator==(const FilmParameters&, const FilmParameters&) = default;
 };
 
-/// Fits the forms to a stack, one after the other. Throws Error (naming the stack) for an outside medium other than
-/// vacuum or air, because no renderer's film has one, for another space than linear sRGB, and as SeenStack does.
+/// Why no film of a renderer can be fitted under these options; empty: it can. No renderer's film has another outside medium
+/// than vacuum or air, or another space than linear sRGB.
+std::string film_refusal(const F0Options& options);
+
+/// Fits the forms to a stack, one after the other. Throws Error (naming the stack) where film_refusal() says why, and as
+/// SeenStack does.
 FilmParameters film_parameters(const Stack& stack, FilmBase base, const F0Options& options,
                                std::span<const FilmForm* const> forms);
 
