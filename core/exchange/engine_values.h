@@ -49,6 +49,7 @@ struct EngineField {
 /// The film of a stack in a target: both sets of numbers as fields, their errors, which of them the target's fields are,
 /// and why.
 struct EngineFilm {
+  /// One set of the film's numbers, as the target's fields.
   struct Side {
     std::vector<EngineField> fields;
     FilmError error;

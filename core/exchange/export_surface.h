@@ -37,6 +37,7 @@ struct ExportCoat {
 /// A stack as the forms of renderers take it.
 ///   choice   which numbers of a form are exported: those that its advice names, or the ones that are said
 struct ExportFilm {
+  /// A set of numbers of a form.
   enum class Choice { advised, honest, fitted };
   FilmParameters forms;
   Choice choice = Choice::advised;

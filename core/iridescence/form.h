@@ -36,6 +36,7 @@ struct FilmFacts {
   double film_n = 1, thickness_nm = 0;
 };
 
+/// What a film lies on.
 enum class FilmBase { metal, dielectric };
 
 /// A form: one file of core/iridescence/forms and one row of forms.inc.
