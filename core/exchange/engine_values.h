@@ -105,6 +105,29 @@ struct OpenPbrValues {
   double thin_film_weight = 0, thin_film_thickness = 0.5, thin_film_ior = 1.4;  // of a stack; thickness in um
   friend bool operator==(const OpenPbrValues&, const OpenPbrValues&) = default;
 };
+/// Calls add(name, number or colour) for the inputs of what lies in or on a surface, where it has that: transmission, coat
+/// and film.
+template <class Add>
+void open_pbr_layers(const OpenPbrValues& v, const Add& add) {
+  if (v.transmission_weight > 0) {
+    add("transmission_weight", v.transmission_weight);
+    add("transmission_color", v.transmission_color);
+    add("transmission_depth", v.transmission_depth);
+  }
+  if (v.coat_weight > 0) {
+    add("coat_weight", v.coat_weight);
+    add("coat_color", v.coat_color);
+    add("coat_roughness", 0.0);
+    add("coat_ior", v.coat_ior);
+    add("coat_darkening", v.coat_darkening);
+  }
+  if (v.thin_film_weight > 0) {
+    add("thin_film_weight", v.thin_film_weight);
+    add("thin_film_thickness", v.thin_film_thickness);
+    add("thin_film_ior", v.thin_film_ior);
+  }
+}
+
 /// In the surface's own space. OpenPBR has one index for a dielectric: it is that of the luminance of F0
 /// unless F0 is so coloured that a tint (specular_color, which also tints the rim) misses less on average
 /// over a sphere; of a clear body always.

@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
+#include "core/color/channel_nm.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
 #include "core/material/dispersion.h"
@@ -17,15 +18,14 @@
 namespace etak {
 namespace {
 
-// About where red, green and blue of sRGB have their weight.
-constexpr std::array<double, 3> channel_nm{464, 549, 611};  // ascending, as resample() wants them
+constexpr std::array ascending_nm{channel_nm[2], channel_nm[1], channel_nm[0]};  // as resample() wants them
 
 std::array<double, 3> index_at_channels(const OpticalConstants& optics, Interpolation interpolation) {
   std::array<double, 3> n{};
   if (const auto* table = std::get_if<Spectrum>(&optics.n))
-    resample(*table, interpolation, channel_nm, n);
+    resample(*table, interpolation, ascending_nm, n);
   else
-    evaluate(std::get<DispersionFormula>(optics.n), channel_nm, n);
+    evaluate(std::get<DispersionFormula>(optics.n), ascending_nm, n);
   return n;
 }
 

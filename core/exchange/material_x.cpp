@@ -108,23 +108,7 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const Mat
   node.input("specular_color", v.specular_color);
   if (pictures.specular_roughness.empty()) node.input("specular_roughness", v.specular_roughness);
   if (s.kind == SurfaceKind::dielectric) node.input("specular_ior", v.specular_ior);
-  if (v.transmission_weight > 0) {
-    node.input("transmission_weight", v.transmission_weight);
-    node.input("transmission_color", v.transmission_color);
-    node.input("transmission_depth", v.transmission_depth);
-  }
-  if (v.coat_weight > 0) {
-    node.input("coat_weight", v.coat_weight);
-    node.input("coat_color", v.coat_color);
-    node.input("coat_roughness", 0.0);
-    node.input("coat_ior", v.coat_ior);
-    node.input("coat_darkening", v.coat_darkening);
-  }
-  if (v.thin_film_weight > 0) {
-    node.input("thin_film_weight", v.thin_film_weight);
-    node.input("thin_film_thickness", v.thin_film_thickness);
-    node.input("thin_film_ior", v.thin_film_ior);
-  }
+  open_pbr_layers(v, [&](const char* input, const auto& value) { node.input(input, value); });
   if (pictures.geometry_opacity.empty() && v.geometry_opacity < 1)
     node.input("geometry_opacity", v.geometry_opacity);
   if (s.emission != LinearRgb{}) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/math/solve.h"
+
 namespace etak {
 namespace {
 
@@ -67,21 +69,6 @@ class Search {
 
 using Matrix = std::array<FilmNumbers, most_film_numbers>;
 
-// Solves a x = b for a positive definite matrix of `count` rows.
-FilmNumbers solved(Matrix a, FilmNumbers b, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = i + 1; k < count; ++k) {
-      const double factor = a[k][i] / a[i][i];
-      for (std::size_t j = i; j < count; ++j) a[k][j] -= factor * a[i][j];
-      b[k] -= factor * b[i];
-    }
-  for (std::size_t i = count; i-- > 0;) {
-    for (std::size_t j = i + 1; j < count; ++j) b[i] -= a[i][j] * b[j];
-    b[i] /= a[i][i];
-  }
-  return b;
-}
-
 // Levenberg and Marquardt's descent, held inside the ranges.
 double descend(const Search& search, FilmNumbers& place, int rounds) {
   const std::size_t count = search.count();
@@ -109,7 +96,8 @@ double descend(const Search& search, FilmNumbers& place, int rounds) {
     for (int tries = 0; tries < 6 && !better; ++tries) {
       Matrix damped = normal;
       for (std::size_t i = 0; i < count; ++i) damped[i][i] += damping * (normal[i][i] + 1e-3);
-      const FilmNumbers step = solved(damped, gradient, count);
+      FilmNumbers step = gradient;
+      solve_definite(damped, step, count);
       FilmNumbers next = place;
       for (std::size_t i = 0; i < count; ++i) next[i] = std::clamp(place[i] + step[i], 0.0, 1.0);
       const double cost_there = search.differences(next, there);

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text/ascii.h"
+#include "core/color/channel_nm.h"
 #include "core/fresnel/fresnel.h"
 #include "core/fresnel/solve_index.h"
 #include "core/material/optics_at.h"
@@ -22,8 +23,6 @@ constexpr double as_good = 0.5;
 constexpr double close_enough = 3;
 
 constexpr double film_nm = 550;
-constexpr std::array<double, 3> channel_nm{611, 549,
-                                           464};  // about where red, green and blue of sRGB have their weight
 
 double index_at(const StackMedium& medium, double nm) {
   return n_at(medium.constants, std::array{nm}, medium.id, {.extrapolate = true}).front();

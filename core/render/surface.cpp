@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/color/channel_nm.h"
 #include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
 #include "core/fresnel/solve_index.h"
@@ -18,12 +19,10 @@
 namespace etak {
 namespace {
 
-// About the wavelengths where red, green and blue of sRGB have most of their weight. They only choose between
-// two solutions.
-constexpr std::array<double, 3> channel_nm{611, 549, 464};
 // The least n in a hint, because a metal without loss has n = 0, which has no logarithm.
 constexpr double least_hint = 1e-6;
 
+// It only chooses between two solutions.
 Vec3 log_n_hint(const OpticalConstants& optics, std::string_view what) {
   const GridIndex index = grid_index(optics, what);
   Vec3 out{};

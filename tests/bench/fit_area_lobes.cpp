@@ -16,6 +16,7 @@
 
 #include "core/brdf/models.h"
 #include "core/light/area_lobes.h"
+#include "core/math/solve.h"
 
 namespace etak {
 namespace {
@@ -117,16 +118,7 @@ double squares(const std::vector<double>& all) {
 // Solves (A + damping diag(A)) x = b by Gauss.
 Fit solved(std::array<Fit, numbers> A, Fit b, double damping) {
   for (std::size_t i = 0; i < numbers; ++i) A[i][i] += damping * A[i][i] + 1e-14;
-  for (std::size_t i = 0; i < numbers; ++i)
-    for (std::size_t k = i + 1; k < numbers; ++k) {
-      const double share = A[k][i] / A[i][i];
-      for (std::size_t j = i; j < numbers; ++j) A[k][j] -= share * A[i][j];
-      b[k] -= share * b[i];
-    }
-  for (std::size_t i = numbers; i-- > 0;) {
-    for (std::size_t j = i + 1; j < numbers; ++j) b[i] -= A[i][j] * b[j];
-    b[i] /= A[i][i];
-  }
+  solve_definite(A, b, numbers);
   return b;
 }
 

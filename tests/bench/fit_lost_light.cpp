@@ -16,6 +16,7 @@
 
 #include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
+#include "core/math/solve.h"
 
 namespace etak {
 namespace {
@@ -29,17 +30,7 @@ struct Sample {
 
 // Solves A x = b by Gauss.
 Row solved(std::vector<Row> A, Row b) {
-  const std::size_t n = b.size();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = i + 1; k < n; ++k) {
-      const double share = A[k][i] / A[i][i];
-      for (std::size_t j = i; j < n; ++j) A[k][j] -= share * A[i][j];
-      b[k] -= share * b[i];
-    }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t j = i + 1; j < n; ++j) b[i] -= A[i][j] * b[j];
-    b[i] /= A[i][i];
-  }
+  solve_definite(A, b, b.size());
   return b;
 }
 

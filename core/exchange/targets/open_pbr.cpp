@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/exchange/material_x.h"
+#include <type_traits>
+
 #include "core/exchange/targets/target.h"
 
 namespace etak {
@@ -12,23 +13,12 @@ void write_open_pbr(const TargetJob& j) {
   j.add("specular_color", v.specular_color, plain_text);
   if (!j.metal()) j.add("specular_ior", v.specular_ior);
   j.add("specular_roughness", v.specular_roughness);
-  if (v.transmission_weight > 0) {
-    j.add("transmission_weight", v.transmission_weight);
-    j.add("transmission_color", v.transmission_color, plain_text);
-    j.add("transmission_depth", v.transmission_depth);
-  }
-  if (v.coat_weight > 0) {
-    j.add("coat_weight", v.coat_weight);
-    j.add("coat_color", v.coat_color, plain_text);
-    j.add("coat_roughness", 0);
-    j.add("coat_ior", v.coat_ior);
-    j.add("coat_darkening", v.coat_darkening);
-  }
-  if (v.thin_film_weight > 0) {
-    j.add("thin_film_weight", v.thin_film_weight);
-    j.add("thin_film_thickness", v.thin_film_thickness);
-    j.add("thin_film_ior", v.thin_film_ior);
-  }
+  open_pbr_layers(v, [&](const char* name, const auto& value) {
+    if constexpr (std::is_same_v<decltype(value), const double&>)
+      j.add(name, value);
+    else
+      j.add(name, value, plain_text);
+  });
   j.opacity("geometry_opacity");
 }
 

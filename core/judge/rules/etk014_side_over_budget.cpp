@@ -4,16 +4,6 @@
 
 namespace etak {
 
-namespace {
-
-// The parameter that limits pictures of a role.
-std::string_view limit_of(FileRole role) {
-  const PictureClass of = picture_class(role);
-  return of == PictureClass::normal ? "normal_side" : of == PictureClass::data ? "data_side" : "colour_side";
-}
-
-}  // namespace
-
 constinit const Rule etk014_side_over_budget{
     .id = "ETK014",
     .slug = "side-over-budget",
@@ -32,7 +22,7 @@ constinit const Rule etk014_side_over_budget{
     .fix = "Export the picture at the agreed size.",
     .check = [](RuleCheck& check) {
       const auto look = [&](FileRole role, int width, int height, auto& picture) {
-        const double most = check.parameter(limit_of(role));
+        const double most = check.parameter(parameter_of_class(role, "side"));
         if (most <= 0 || std::max(width, height) <= most) return;
         Finding& finding = check.report(picture);
         finding.value = std::to_string(width) + " x " + std::to_string(height);

@@ -50,13 +50,10 @@ constinit const Rule etk016_texel_density{
       const double factor = std::max(1.0, check.parameter("factor")), spread = check.parameter("spread");
       const TextureDensity *least = nullptr, *most = nullptr;
       for (const TextureDensity& each : check.evidence.scene->densities) {
-        const PictureClass of = picture_class(each.role);
-        const double wanted = check.parameter(of == PictureClass::normal ? "normal_texels"
-                                              : of == PictureClass::data ? "data_texels"
-                                                                         : "colour_texels");
+        const double wanted = check.parameter(parameter_of_class(each.role, "texels"));
         if (wanted > 0 && (each.texels > wanted * factor || each.texels < wanted / factor))
           report(check, each, number(wanted / factor, 3) + " to " + number(wanted * factor, 3));
-        if (of != PictureClass::colour) continue;
+        if (picture_class(each.role) != PictureClass::colour) continue;
         if (least == nullptr || each.texels < least->texels) least = &each;
         if (most == nullptr || each.texels > most->texels) most = &each;
       }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "core/judge/rule_check.h"
 
 namespace etak {
@@ -25,6 +28,15 @@ inline PictureClass picture_class(FileRole role) {
                  role == FileRole::occlusion
              ? PictureClass::data
              : PictureClass::colour;
+}
+
+/// The parameter that limits pictures of a role, as rules name theirs: "colour_side", "normal_side", "data_side".
+inline std::string parameter_of_class(FileRole role, std::string_view what) {
+  const PictureClass of = picture_class(role);
+  const std::string name = of == PictureClass::normal ? "normal"
+                           : of == PictureClass::data ? "data"
+                                                      : "colour";
+  return name + "_" + std::string(what);
 }
 
 }  // namespace etak

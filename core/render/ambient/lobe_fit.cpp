@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/math/solve.h"
 #include "core/render/ambient/round_lobe.h"
 
 namespace etak {
@@ -157,20 +158,6 @@ void keep_in_range(Unknowns& x, double sharpest) {
   }
 }
 
-// Solves a positive definite system by elimination; the result is left in `b`.
-void solve(std::array<Unknowns, unknowns>& a, Unknowns& b) {
-  for (std::size_t i = 0; i < unknowns; ++i)
-    for (std::size_t j = i + 1; j < unknowns; ++j) {
-      const double factor = a[j][i] / a[i][i];
-      for (std::size_t k = i; k < unknowns; ++k) a[j][k] -= factor * a[i][k];
-      b[j] -= factor * b[i];
-    }
-  for (std::size_t i = unknowns; i-- > 0;) {
-    for (std::size_t k = i + 1; k < unknowns; ++k) b[i] -= a[i][k] * b[k];
-    b[i] /= a[i][i];
-  }
-}
-
 // The probes around the level that is closest to the lobe alone.
 Unknowns one_level(const LobeShares& lobe) {
   const auto at = [&](double level, double apart) {
@@ -215,7 +202,7 @@ Unknowns closest(const LobeShares& lobe, Unknowns first, double sharpest) {
       for (std::size_t row = 0; row < rows; ++row) right[i] -= slopes[i][row] * r[row];
     }
     for (std::size_t i = 0; i < unknowns; ++i) normal[i][i] *= 1 + damping;
-    solve(normal, right);
+    solve_definite(normal, right, unknowns);
     Unknowns next = x;
     for (std::size_t i = 0; i < unknowns; ++i) next[i] += right[i];
     keep_in_range(next, sharpest);
