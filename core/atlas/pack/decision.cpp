@@ -219,7 +219,7 @@ void teach_same_sources(PackInputs& inputs) {
 
 enum class Way { outlines, islands, crops, whole };
 
-// Viewers make the mips of pages that hold none, of whole pages.
+// The texels around each region. Where a page holds no mips, viewers make them, of the whole page: regions mix sooner then.
 std::optional<int> gutter_of(const PackOptions& options, const PackSource& source) {
   const bool by_viewers = levels_asked(options, source.inputs) == 1 && levels_sampled(options, source) > 1;
   return options.layout.gutter || !by_viewers ? options.layout.gutter : options.layout.viewers_gutter;

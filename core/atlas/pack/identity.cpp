@@ -22,7 +22,7 @@ std::string settings_hash(const PackOptions& options, const PackSource& source) 
   std::string text = options.run.version + '|' + inputs.settings + '|' + options.check.settings + '|';
   for (const std::string& each : options.leave_out.keep) text += each + ',';
   for (const std::string& each : options.output.write.formats) text += each + ',';
-  // What is asked of scenes alone changes nothing of others.
+  // The options of scenes change nothing of an atlas that is packed from pictures.
   if (output.smallest_form && scene) text += "smallest,";
   for (const GltfForm form : output.forms) text += std::to_string(static_cast<int>(form)) + ',';
   const auto number = [&](auto value) {

@@ -118,7 +118,7 @@ PackLayoutOptions layout_options(const PackSettings& s) {
   out.effort = s.effort;
   out.max_seconds = s.max_seconds;
   if (s.gutter != "auto") out.gutter = whole_setting("gutter", s.gutter, 0, 4096, "auto");
-  // Which keeps islands apart on one mip more.
+  // Two texels keep islands apart on one mip more than one texel does.
   out.viewers_gutter = 2;
   if (s.mips == "all")
     out.mips = 0;
