@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include "app/editor/document/pictures.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/window.h"
@@ -11,7 +12,6 @@
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/exchange/engine_values.h"
-#include "core/image/image_io.h"
 #include "core/project/project_export.h"
 
 namespace etak::editor {

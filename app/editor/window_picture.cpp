@@ -7,6 +7,7 @@
 
 #include "app/editor/curves/curves_panel.h"
 #include "app/editor/document/files.h"
+#include "app/editor/document/pictures.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/preview_bar.h"
@@ -14,8 +15,9 @@
 #include "app/editor/panels/view_panel.h"
 #include "app/editor/window.h"
 #include "app/viewport/background.h"
+#include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
-#include "core/image/image_io.h"
+#include "core/image/load.h"
 #include "core/render/ground_bounce.h"
 
 namespace etak::editor {
@@ -43,7 +45,8 @@ LoadedEnvironment load(const LightSetup& lights, std::shared_ptr<const Image> pi
       out.environment = quick ? quick_studio_environment(name, scale, prefilter_threads)
                               : studio_environment(name, scale, prefilter_threads);
     } else {
-      out.picture = picture ? std::move(picture) : std::make_shared<const Image>(read_image(name));
+      out.picture = picture ? std::move(picture)
+                            : std::make_shared<const Image>(fractions(load_picture(name, picture_door())));
       out.environment =
           std::make_shared<const Environment>(*out.picture, scale, name, prefilter_threads, prefilter);
     }

@@ -2,6 +2,7 @@
 #include "app/pictures/open_module.h"
 
 #include <algorithm>
+#include <array>
 
 #include "app/pictures/doors.h"
 #include "core/base/setting.h"
@@ -37,6 +38,16 @@ OpenedModule open_module(std::span<const std::string> candidates, const char* fu
   const PictureDoors* const found = open();
   if (found->version == version) return {found, {}};
   return {nullptr, *there + " is of etak " + found->version + ", not " + std::string(version)};
+}
+
+OpenedModule open_module_of_program(const std::string& file, const std::string& from_bin,
+                                    const char* function, std::string_view version) {
+  const std::string program = sys::program_path();
+  const std::string here = program.substr(0, program.rfind('/') + 1);
+  if (here.empty())
+    return {nullptr, "the folder of the program, where it lies, cannot be told without /proc/self/exe"};
+  const std::array candidates{here + file, here + from_bin + "/" + file};
+  return open_module(candidates, function, version);
 }
 
 PictureDoor picture_door_behind(const OpenDoors& doors) {

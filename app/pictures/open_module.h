@@ -21,4 +21,11 @@ struct OpenedModule {
 OpenedModule open_module(std::span<const std::string> candidates, const char* function,
                          std::string_view version);
 
+/// Opens the module `file`, which lies beside the program in a build tree and in lib/etak where etak is installed. It
+/// is looked for in no other place, such as the working folder or the search path of the loader: a file of its name there
+/// may be anybody's.
+///   from_bin   the folder of the installed modules, relative to that of the program
+OpenedModule open_module_of_program(const std::string& file, const std::string& from_bin,
+                                    const char* function, std::string_view version);
+
 }  // namespace etak

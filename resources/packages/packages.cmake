@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The Debian packages, which ./dev packages builds (resources/doc/install.md): one for each component that is installed.
 #   etak          program       the program, libetak-pictures.so, manual pages, completions, schemas
-#   etak-editor   editor        the editor and its files for the desktop
+#   etak-editor   editor        the editor, libetak-editor-pictures.so and its files for the desktop
 #   libetak-dev   development   libraries, headers, files for CMake and pkg-config, the reference
 #   python3-etak  python        the Python module, where it is built
 # stage.cmake adds what only a package holds: copyright, changelog, compressed manual pages.

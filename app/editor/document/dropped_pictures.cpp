@@ -7,10 +7,10 @@
 #include <map>
 
 #include "app/editor/document/files.h"
+#include "app/editor/document/pictures.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/files/file.h"
-#include "core/image/image_io.h"
 #include "core/image/picture_bytes.h"
 #include "core/names/picture_sets.h"
 #include "core/validate/find/picture_namer.h"

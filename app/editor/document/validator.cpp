@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/document/validator.h"
 
+#include "app/editor/document/pictures.h"
 #include "app/viewport/background.h"
-#include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
 #include "core/validate/validate.h"
 

@@ -10,12 +10,12 @@
 #include <list>
 #include <optional>
 
+#include "app/editor/document/pictures.h"
 #include "app/editor/panels/sections.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"
 #include "core/color/srgb.h"
-#include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
 
 namespace etak::editor {
