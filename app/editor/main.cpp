@@ -3,7 +3,6 @@
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
-#include <QThreadPool>
 #include <QTimer>
 #include <cstdio>
 
@@ -19,7 +18,6 @@
 #include "core/base/files/links.h"
 #include "core/base/signals.h"
 #include "core/base/text/text.h"
-#include "core/render/environment.h"
 
 namespace {
 
@@ -90,11 +88,6 @@ int main(int argc, char** argv) {
     window_options.cache_folder = own.path();
     window_options.remember = false;
   }
-  // The standard light is made while the window is.
-  QThreadPool::globalInstance()->start([] {
-    const etak::LightSetup standard = etak::studio_lights();
-    (void)etak::studio_environment(standard.environment, standard.environment_scale, 2);
-  });
   Window window(window_options);
   if (picture) return take_screenshot(window, options);
   if (options.time_start) time_start(window);
