@@ -49,6 +49,11 @@ class Owners {
   void take(const PixelBox& box, int region) {
     each(box, [&](int& owner) { return owner = region, true; });
   }
+  /// The box in whole units: these belong to the region of the box.
+  PixelBox in_units(const PixelBox& box) const {
+    const int x = box.x / unit_ * unit_, y = box.y / unit_ * unit_;
+    return {x, y, units(box.x + box.width - x, unit_) * unit_, units(box.y + box.height - y, unit_) * unit_};
+  }
   /// Whether the box lies on the page and holds no texel of another region.
   bool may_take(const PixelBox& box, int region) {
     return common_part(box, page_) == box &&
@@ -148,7 +153,7 @@ class Cutter {
     PlannedPlace& place = out.places.emplace_back(place_);
     place.x = page.x;
     place.y = page.y;
-    place.cell = cell_of(blocks);
+    place.cell = owners_.in_units(cell_of(blocks));
     place.cell_texels = 0;
   }
 

@@ -235,8 +235,14 @@ PackDecision decided(Way way, const PackOptions& options, const PackSource& sour
   out.left_out = left_out_of(source, options, out);
   const Users users = users_by_owner(out.left_out.fates);
   for (const Region& region : regions_needed(options, source, out, users)) {
-    out.resolutions.push_back(resolution_for(region, options, source.inputs, users[region.material], found));
-    out.regions.push_back(stored(region, out.resolutions.back()));
+    Resolution resolution = resolution_for(region, options, source.inputs, users[region.material], found);
+    Region fewer = stored(region, resolution);
+    // With fewer texels an outline is a mip of its box, which may have more texels than the outline has.
+    if (!region.texels.empty() && fewer.shrink > 0) fewer.texels.clear();
+    if (fewer.area() > region.area()) fewer = region, resolution = {};
+    out.parts.push_back(region);
+    out.resolutions.push_back(resolution);
+    out.regions.push_back(std::move(fewer));
   }
   std::vector<std::string> names;
   for (const PackInput& m : source.inputs.materials) names.push_back(m.name);
@@ -248,24 +254,18 @@ PackDecision decided(Way way, const PackOptions& options, const PackSource& sour
     refuse_page(out.regions, names, plan);
   }
   out.needed.places = out.plan.places;
+  out.levels = levels_of(options, source.inputs, out.regions, out.plan);
   PlacedRegions pieces = outline_pieces(out.regions, out.plan);
   out.needed.regions = std::exchange(out.regions, std::move(pieces.regions));
   out.plan.places = std::move(pieces.places);
   out.plan.shapes.clear();
-  out.levels = levels_of(options, source.inputs, out.regions, out.plan);
   return out;
 }
 
-// Whether islands may lie in each other's boxes. That is done for what a scene's PNG files hold, level 0 on one page of
-// any sides; other levels are made region by region, and their gutters would meet.
+// Whether islands may lie in each other's boxes. That is done on one page of any sides.
 bool may_outline(const PackOptions& options, const PackSource& source, const AtlasLayout* previous) {
-  const bool reduced =
-      options.leave_out.max_error ||
-      std::ranges::any_of(source.inputs.materials, [](const PackInput& m) { return m.facts.unseen > 0; });
-  return options.leave_out.islands && source.scene && !source.one_page && previous == nullptr && !reduced &&
-         options.layout.form.value_or(PageForm::free) == PageForm::free &&
-         levels_asked(options, source.inputs) == 1 && !options.output.bleed &&
-         !writes_floats(options.output.write);
+  return options.leave_out.islands && source.scene && !source.one_page && previous == nullptr &&
+         options.layout.form.value_or(PageForm::free) == PageForm::free;
 }
 
 // Bytes of the pages' two textures on a GPU.
@@ -332,7 +332,7 @@ bool learn(const std::vector<Learned>& learned, const PackOptions& options, Pack
   decision.left_out = left_out_of(source, options, decision);
   const std::vector<Region> now =
       regions_needed(options, source, decision, users_by_owner(decision.left_out.fates));
-  const std::vector<Region>& before = decision.needed.regions;
+  const std::vector<Region>& before = decision.parts;
   return std::equal(now.begin(), now.end(), before.begin(), before.end(),
                     [](const Region& a, const Region& b) {
                       return std::tie(a.material, a.box, a.in, a.own_page, a.texels) ==

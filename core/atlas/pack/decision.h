@@ -41,9 +41,10 @@ struct PackDecision {
   bool whole = false;                   // each picture lies whole on a page of its own; see decide()
   std::optional<int> gutter;            // texels around each region; none: from the mips
   LeaveOut left_out;                    // its fates: by material
-  PlacedRegions needed;                 // the texels that are not left out, where the plan puts them
-  std::vector<Region> regions;          // the same with outlines in pieces (outline_pieces.h)
-  std::vector<Resolution> resolutions;  // by region: with how many texels it is stored
+  std::vector<Region> parts;            // the texels that are not left out
+  PlacedRegions needed;                 // the same as they are stored, where the plan puts them
+  std::vector<Region> regions;          // these with outlines in pieces (outline_pieces.h)
+  std::vector<Resolution> resolutions;  // by part: with how many texels it is stored
   PackingPlan plan;                     // its places: by region
   std::vector<PageLevels> levels;       // by page
   // By Others; none where files are not weighed.

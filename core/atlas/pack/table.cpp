@@ -97,12 +97,12 @@ void account_resolution(const PackInputs& inputs, const PackDecision& decision, 
   LeaveOutLine line;
   line.what = "resolution";
   double worst = 0, seen = 0;
-  for (std::size_t r = 0; r < decision.regions.size(); ++r) {
-    const Region& region = decision.regions[r];
+  for (std::size_t r = 0; r < decision.parts.size(); ++r) {
+    const Region& region = decision.needed.regions[r];
     if (region.shrink == 0) continue;
     const Resolution& found = decision.resolutions[r];
     const PixelBox& box = region.box;
-    const std::uint64_t gone = texels_of(box.width, box.height) - texels_of(region.width(), region.height());
+    const std::uint64_t gone = decision.parts[r].area() - region.area();
     ++line.materials;
     line.texels += 2 * gone;
     line.channel_texels += report.left_out.fates[region.material].channels * gone;

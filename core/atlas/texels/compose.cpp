@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/atlas/sources/strip_reader.h"
+#include "core/atlas/texels/place_outline.h"
 #include "core/atlas/texels/place_texels.h"
 #include "core/atlas/texels/resolution.h"
 #include "core/base/hash/content_hash.h"
@@ -105,6 +106,26 @@ const MaterialPair& Composer::pair_of(std::size_t material) {
   return cached->pair;
 }
 
+const Image8* Composer::normals_for(std::size_t material, int levels) {
+  const PackInput& m = materials_[material];
+  if (levels < 2 || !m.has_normals()) return nullptr;
+  Cached* cached = nullptr;
+  {
+    const std::lock_guard lock(pairs_lock_);
+    cached = &pairs_[material];
+  }
+  cached->normals_once.call([&] { cached->normals = normals_of(m, {0, 0, m.width, m.height}); });
+  return &cached->normals;
+}
+
+std::size_t Composer::end_of_outline(std::size_t region) const {
+  std::size_t end = region + 1;
+  while (regions_[region].outline != 0 && end < regions_.size() &&
+         regions_[end].outline == regions_[region].outline)
+    ++end;
+  return end;
+}
+
 void Composer::begin_page(int page) {
   halves_.assign(materials_.size(), {});
   open_.clear();
@@ -135,14 +156,10 @@ void Composer::texels(int page, PagePixels& pixels, std::vector<Learned>& learne
                       const std::function<void()>& region_done) {
   begin_page(page);
   // The pieces of an outline have texels in common, which one thread writes: its first piece stands for all.
-  const auto is_of = [this](std::size_t i, std::size_t piece) {
-    return i < regions_.size() && regions_[i].outline != 0 && regions_[i].outline == regions_[piece].outline;
-  };
   std::vector<Task> tasks;
-  for (std::size_t i = 0; i < regions_.size(); ++i)
+  for (std::size_t i = 0; i < regions_.size(); i = end_of_outline(i))
     for (const Texture texture : both_textures)
-      if (!(i > 0 && is_of(i - 1, i)) && plan_.places[i].page == page &&
-          plan_.pages[static_cast<std::size_t>(page)].has[index_of(texture)])
+      if (plan_.places[i].page == page && plan_.pages[static_cast<std::size_t>(page)].has[index_of(texture)])
         tasks.push_back({i, texture});
   // The largest first, so that none is left for the end.
   std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) {
@@ -151,7 +168,7 @@ void Composer::texels(int page, PagePixels& pixels, std::vector<Learned>& learne
   });
   parallel_chunks(tasks.size(), options_.threads, 1, [&](std::size_t begin, std::size_t, unsigned worker) {
     const Task& first = tasks[begin];
-    for (std::size_t i = first.region; i == first.region || is_of(i, first.region); ++i) {
+    for (std::size_t i = first.region, end = end_of_outline(i); i < end; ++i) {
       region_texels(i, first.texture, pixels, worker);
       if (region_done) region_done();
     }
@@ -171,7 +188,7 @@ void Composer::end_page(int page, PagePixels& pixels, std::vector<Learned>& lear
 
 void Composer::mips(int page, PagePixels& pixels) {
   std::vector<std::size_t> here;
-  for (std::size_t i = 0; i < regions_.size(); ++i)
+  for (std::size_t i = 0; i < regions_.size(); i = end_of_outline(i))
     if (plan_.places[i].page == page) here.push_back(i);
   clean_ = plan_.clean_levels(page);
   parallel_chunks(here.size(), options_.threads, 1,
@@ -260,6 +277,16 @@ void Composer::fill_first_gutter(std::size_t region, const PlannedPlace& at, Pag
 void Composer::region_mips(std::size_t region, PagePixels& pixels) {
   const PlannedPlace at = place_in(pixels, region);
   const int levels = std::min(pixels.levels(), clean_);
+  const std::size_t owner = regions_[region].material;
+  if (has_texels_around(regions_[region], materials_[owner])) {
+    // Gutters of level 0 have the picture's texels already.
+    if (levels == 1 && !options_.bleed && regions_[region].outline != 0) return;
+    const std::size_t pieces = end_of_outline(region) - region;
+    return place_outline({{&regions_[region], pieces}, {&plan_.places[region], pieces}}, pair_of(owner),
+                         normals_for(owner, levels), materials_[owner], levels, options_.gloss,
+                         options_.bleed,
+                         [&](Texture texture, int level) { return pixels.view(texture, level); });
+  }
   if ((levels > 1 || options_.bleed) && !mips_in_place(region, at, levels, pixels))
     mips_by_copy(region, at, levels, pixels);
   fill_first_gutter(region, at, pixels);

@@ -54,7 +54,8 @@ class Composer {
   /// the slab above; only one thread at a time may work on it.
   ///   worker   number of the thread, below options.threads: no two threads use the same number at a time
   void region_texels(std::size_t region, Texture texture, PagePixels& pixels, unsigned worker);
-  /// The mips of a region whose level 0 is complete, and the gutters of all its levels.
+  /// The mips of a region whose level 0 is complete, and the gutters of all its levels; of the first piece of an outline those
+  /// of the whole outline.
   void region_mips(std::size_t region, PagePixels& pixels);
   /// The levels that mix the texels of neighbouring regions. `pixels` holds these levels for the whole page.
   void end_page(int page, PagePixels& pixels, std::vector<Learned>& learned);
@@ -78,6 +79,10 @@ class Composer {
   /// Where a region lies in the slab that `pixels` holds.
   PlannedPlace place_in(const PagePixels& pixels, std::size_t region) const;
   const MaterialPair& pair_of(std::size_t material);
+  /// The material's normal map at the size of its pictures; null where so many levels need none.
+  const Image8* normals_for(std::size_t material, int levels);
+  /// The region after the pieces of this one's outline, or after this one.
+  std::size_t end_of_outline(std::size_t region) const;
 
   const std::vector<PackInput>& materials_;
   const std::vector<Region>& regions_;
@@ -85,8 +90,9 @@ class Composer {
   const ComposeOptions options_;
   std::mutex pairs_lock_;
   struct Cached {
-    Once once;
+    Once once, normals_once;
     MaterialPair pair;
+    Image8 normals;
   };
   std::map<std::size_t, Cached> pairs_;
   // Different threads read the two textures of a material; what they learn is kept apart, by Texture.

@@ -5,6 +5,8 @@
 
 #include "core/atlas/outputs.h"
 #include "core/atlas/sources/floats.h"
+#include "core/atlas/sources/pictures.h"
+#include "core/atlas/texels/place_outline.h"
 #include "core/atlas/texels/place_texels.h"
 #include "core/atlas/texels/resolution.h"
 #include "core/image/dilate.h"
@@ -64,13 +66,28 @@ FloatPage compose_floats(int page, int levels, const std::vector<PackInput>& mat
                          const ComposeOptions& options) {
   FloatPage out = empty_page(plan.pages[static_cast<std::size_t>(page)], levels);
   const int clean = plan.clean_levels(page);
+  const int placed = std::min(levels, clean);
   FloatPair pair;
-  std::size_t loaded = materials.size();  // whose pair that is
-  for (std::size_t r = 0; r < regions.size(); ++r) {
+  Image8 normals;
+  std::size_t loaded = materials.size();  // whose they are
+  for (std::size_t r = 0, end = 0; r < regions.size(); r = end) {
+    end = r + 1;
+    while (regions[r].outline != 0 && end < regions.size() && regions[end].outline == regions[r].outline)
+      ++end;
     if (plan.places[r].page != page) continue;
-    const std::size_t owner = regions[r].material;
-    if (owner != loaded) pair = load_floats(materials[loaded = owner]);
-    place_region(pair, materials[owner], regions[r], plan.places[r], std::min(levels, clean), options, out);
+    const PackInput& m = materials[regions[r].material];
+    const bool with_normals = m.has_normals() && placed > 1;
+    if (regions[r].material != loaded) {
+      loaded = regions[r].material;
+      pair = load_floats(m);
+      if (with_normals) normals = normals_of(m, {0, 0, m.width, m.height});
+    }
+    if (!has_texels_around(regions[r], m))
+      place_region(pair, m, regions[r], plan.places[r], placed, options, out);
+    else
+      place_outline({{&regions[r], end - r}, {&plan.places[r], end - r}}, pair,
+                    with_normals ? &normals : nullptr, m, placed, options.gloss, options.bleed,
+                    [&](Texture texture, int level) { return out.view(texture, level); });
   }
   if (levels > clean)
     make_shared_levels<float>(clean, levels, options.gloss, options.threads,
