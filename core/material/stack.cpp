@@ -19,13 +19,19 @@ namespace {
 
 // The media of a stack, each once.
 //   names   of the text, the outermost first and the base last; a medium of one name is one
-//   media   of layers and base: indices in names
+//   of_layer, base   indices in names
+//   body             of the base; it is computed once for each dataset of the base, whatever the layers are
 struct Media {
   std::vector<std::string> names;
   std::vector<StackPart> parts;
   std::vector<std::size_t> of_layer;
   std::size_t base = 0;
+  std::optional<ClearBody> body;
 };
+
+std::optional<ClearBody> body_of(const StackPart& part) {
+  return clear_body(part.found.material, part.found.chosen());
+}
 
 const OpticalConstants& constants_of(const FoundDataset& found, const std::string& place) {
   const Optics& optics = found.chosen().optics;
@@ -51,6 +57,7 @@ Media find_media(const StackText& text, std::string_view place, const FindStackP
     out.of_layer.push_back(index_of(text.layers[i].name, where));
   }
   out.base = index_of(text.base, std::string(place) + " base");
+  out.body = body_of(out.parts[out.base]);
   return out;
 }
 
@@ -70,7 +77,7 @@ Stack opened(const StackText& text, const Media& media, std::string written) {
     if (written.empty()) append(out.text, media.parts[media.of_layer[i]].written, layer.rest, '/');
   }
   const StackPart& base = media.parts[media.base];
-  out.media[media.base].body = clear_body(base.found.material, base.found.chosen());
+  out.media[media.base].body = media.body;
   out.text += written.empty() ? base.written : written;
   return out;
 }
@@ -90,14 +97,17 @@ std::string joined_datasets(const Stack& stack) {
 
 // Adds the stacks in which one medium has another of its datasets. All else they have of the dataset at `of`.
 void add_others(Material& material, std::size_t of, const StackText& text, Media media) {
+  const std::optional<ClearBody> preferred_body = media.body;
   for (StackPart& part : media.parts) {
     if (part.named) continue;
     const StackPart preferred = part;
+    const bool is_base = &part == &media.parts[media.base];
     for (std::size_t i = 0; i < preferred.found.material.datasets.size(); ++i) {
       const Dataset& other = preferred.found.material.datasets[i];
       if (i == preferred.found.dataset || !std::holds_alternative<OpticalConstants>(other.optics)) continue;
       part.found.dataset = i;
       part.written = preferred.found.material.id + "/" + other.id;
+      if (is_base) media.body = body_of(part);
       Dataset dataset = material.datasets[of];
       dataset.optics = opened(text, media, {});
       dataset.id = joined_datasets(std::get<Stack>(dataset.optics));
@@ -106,6 +116,7 @@ void add_others(Material& material, std::size_t of, const StackText& text, Media
       if (material.dataset(dataset.id) == nullptr) material.datasets.push_back(std::move(dataset));
     }
     part = preferred;
+    media.body = preferred_body;
   }
 }
 
