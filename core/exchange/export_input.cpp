@@ -58,9 +58,10 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
   }
   if (wishes.coat) {
     CoatedF0 coat;
-    if (std::string why = coated(*wishes.coat, solver.options(), dataset.optics, coat); !why.empty()) {
+    const std::string place = material.id + "/" + dataset.id;
+    if (std::string why = coated(*wishes.coat, solver.options(), dataset.optics, place, coat); !why.empty()) {
       out.surface.reset();
-      out.refusal = material.id + "/" + dataset.id + ": refused: " + why;
+      out.refusal = place + ": refused: " + why;
       return out;
     }
     surface.coat = export_coat(*wishes.coat, coat);

@@ -179,7 +179,7 @@ void F0Worker::finish(const Optics& optics, F0Result result, const F0Job& job, F
   row.result = std::move(result);
   if (!job.coat || row.result.refused()) return;
   CoatedF0 coat;
-  std::string why = coated(*job.coat, job.solver.options(), optics, coat);
+  std::string why = coated(*job.coat, job.solver.options(), optics, row.path, coat);
   if (!why.empty()) {
     const Coverage coverage = row.result.coverage;
     row.result = refused(std::move(why), row.result.flags);

@@ -34,9 +34,11 @@ void validate(const Coat&, const F0Options& options) {
                     "1nm or another sum");
 }
 
-std::string coated(const Coat& coat, const F0Options& options, const Optics& optics, CoatedF0& out) {
+std::string coated(const Coat& coat, const F0Options& options, const Optics& optics, const std::string& place,
+                   CoatedF0& out) {
   if (std::holds_alternative<Reflectance>(optics))
-    return "reflectance at normal incidence tells nothing of what is reflected under a coat";
+    throw Error::at(place, "reflectance at normal incidence tells nothing of what is reflected under a coat",
+                    "data of n and k");
   const F0Setup setup = f0_setup(options);
   const Quadrature& q = setup.quadrature;
   Stack stack = stack_of(optics);

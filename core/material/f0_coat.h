@@ -41,7 +41,9 @@ struct CoatedF0 {
 /// Throws Error where the method of the options is no sum over wavelengths, or an instrument is in them.
 void validate(const Coat& coat, const F0Options& options);
 
-/// Computes `out`. Returns why the data do not allow it: reflectance at normal incidence alone does not.
-std::string coated(const Coat& coat, const F0Options& options, const Optics& optics, CoatedF0& out);
+/// Computes `out`. Returns why the data do not allow it. Throws Error (naming `place`) for reflectance at normal incidence
+/// alone: many n and k have it, which a coat makes different.
+std::string coated(const Coat& coat, const F0Options& options, const Optics& optics, const std::string& place,
+                   CoatedF0& out);
 
 }  // namespace etak

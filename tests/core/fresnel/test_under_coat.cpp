@@ -137,7 +137,7 @@ TEST_CASE(
       INFO(material.id << " under " << n);
       const F0Result air = F0Solver({}).solve(optics);
       CoatedF0 exact;
-      REQUIRE(coated({"", {Spectrum{{550}, {n}}, {}}, n, 0}, {}, optics, exact) == "");
+      REQUIRE(coated({"", {Spectrum{{550}, {n}}, {}}, n, 0}, {}, optics, id, exact) == "");
       const Lab under = shown(exact.under.linear), under82 = shown(*exact.under.f82);
       const LinearRgb& r = air.linear;
       const auto off = [](const Lab& to, const LinearRgb& found) { return delta_e2000(to, shown(found)); };
