@@ -8,42 +8,13 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
-#include "core/color/channel_nm.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
-#include "core/material/dispersion.h"
 #include "core/material/optics_class.h"
 #include "core/material/quality.h"
 
 namespace etak {
 namespace {
-
-constexpr std::array ascending_nm{channel_nm[2], channel_nm[1], channel_nm[0]};  // as resample() wants them
-
-std::array<double, 3> index_at_channels(const OpticalConstants& optics, Interpolation interpolation) {
-  std::array<double, 3> n{};
-  if (const auto* table = std::get_if<Spectrum>(&optics.n))
-    resample(*table, interpolation, ascending_nm, n);
-  else
-    evaluate(std::get<DispersionFormula>(optics.n), ascending_nm, n);
-  return n;
-}
-
-// ln n of red, green, blue against the outside medium.
-std::array<double, 3> hint_of(const OpticalConstants& optics, const F0Options& options) {
-  std::array<double, 3> outside{1, 1, 1};
-  if (const auto* medium = std::get_if<OpticalConstants>(&options.outside.index))
-    outside = index_at_channels(*medium, options.interpolation);
-  else
-    outside.fill(std::get<double>(options.outside.index));
-  const std::array<double, 3> n = index_at_channels(optics, options.interpolation);
-  std::array<double, 3> out{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double ratio = n[2 - c] / outside[2 - c];
-    out[c] = ratio > 0 && std::isfinite(ratio) ? std::log(ratio) : 0;
-  }
-  return out;
-}
 
 // Notes about the data, for the user of the values.
 void note_quality(ExportSurface& out, const Material& material, const Dataset& dataset) {
@@ -143,8 +114,6 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
     out.f0 = result.linear;
     out.f82 = result.f82;
     if (out.kind == SurfaceKind::dielectric) out.diffuse = diffuse;
-    if (const auto* constants = std::get_if<OpticalConstants>(&dataset.optics))
-      out.log_n_hint = hint_of(*constants, options);
     if (const auto* stack = std::get_if<Stack>(&dataset.optics)) take_film(*stack, material, options, out);
     if (!result.f82) out.notes.emplace_back("no edge is known: the data are reflectance at normal incidence");
     if (out.kind == SurfaceKind::dielectric && out.diffuse == LinearRgb{})

@@ -65,9 +65,7 @@ struct ExportSurface {
   Gloss gloss = 0.75;               // how rough: Schueler's gloss or perceptual roughness, [0, 1]
   double opacity = 1;               // [0, 1]
   LinearRgb emission{0, 0, 0};      // radiance that the surface sends out by itself, >= 0
-  std::array<double, 3>
-      log_n_hint{};                // ln n of red, green, blue, which chooses between two (n, k) of one edge
-  std::vector<std::string> notes;  // what was assumed, and what is against the data
+  std::vector<std::string> notes;   // what was assumed, and what is against the data
   friend bool operator==(const ExportSurface&, const ExportSurface&) = default;
 };
 

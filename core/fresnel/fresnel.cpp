@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/fresnel/fresnel.h"
 
+#include <algorithm>
 #include <cmath>
 
 // The formula text comes into namespaces of its own, so that the shim's min, sqrt, ... are not seen
@@ -76,3 +77,16 @@ float f82_under(float f0_value, float f82, float n) {
   return text::f82_under(f0_value, f82, n);
 }
 }  // namespace etak::f32
+
+namespace etak {
+SolvedIndex solve_index(double f0, double f82) {
+  // The F0 of a colour may be above 1 (gold in sRGB). Its F82 is then that of a metal whose F0 is about the same.
+  constexpr double largest_f0 = 0.9999, least_of_metals = 0.5;
+  if (!(f0 < largest_f0)) {
+    f0 = std::clamp(f82, least_of_metals, largest_f0);
+    f82 = std::min(f82, f0);
+  }
+  const f64::text::EdgeIndex found = f64::text::index_of_edge(f0, f82);
+  return {found.n, found.k};
+}
+}  // namespace etak

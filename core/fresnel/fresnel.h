@@ -35,4 +35,17 @@ float f0_under(float f0_value, float f82, float n);
 float f82_under(float f0_value, float f82, float n);
 }  // namespace f32
 
+/// n and k of one colour channel, found from two reflectances.
+struct SolvedIndex {
+  double n = 1, k = 0;
+};
+
+/// The n and k that reflect f0 at normal incidence and f82 at cos 1/7: one channel's stand-in for a spectrum. There is
+/// one such pair (index_of_edge in under_coat.glsl).
+///   f0      no n and k give an f0 of 1 or more: it is then replaced by the nearest one that a metal of this f82 has
+///   f82     where no n and k give both, f0 is kept and f82 is missed by as little as possible
+///   error   1e-9 of f82 for f0 of at least 0.02; the caller computes what is missed, from f64::f0 and f64::fresnel_exact
+///           of the result
+SolvedIndex solve_index(double f0, double f82);
+
 }  // namespace etak

@@ -9,7 +9,6 @@
 #include "core/base/text/ascii.h"
 #include "core/color/channel_nm.h"
 #include "core/fresnel/fresnel.h"
-#include "core/fresnel/solve_index.h"
 #include "core/material/optics_at.h"
 #include "core/material/seen_stack.h"
 
@@ -49,8 +48,7 @@ FilmFacts facts_of(const Stack& stack, const SeenStack& seen, const F0Options& o
   out.whole_f82 = edge_of(seen);
   const Vec3 f0 = vec(out.base_f0), f82 = vec(out.base_f82);
   for (std::size_t c = 0; c < 3; ++c) {
-    const SolvedIndex index =
-        solve_index(f0[c], f82[c], std::log(index_at(stack.media[stack.base], channel_nm[c])));
+    const SolvedIndex index = solve_index(f0[c], f82[c]);
     out.base_n[c] = index.n;
     out.base_k[c] = index.k;
   }

@@ -99,8 +99,7 @@ void complete_from_f0(SurfaceValues& surface);
 
 /// Sets n and k of `surface` to those that give its f0 and f82, and nk_residual to the difference that is
 /// left.
-///   log_n_hints   where two n give both values, the one whose logarithm is nearest to this is taken
-void solve_index(SurfaceValues& surface, const Vec3& log_n_hints);
+void solve_index(SurfaceValues& surface);
 
 /// A value of a surface that was outside of the range of a model's parameter.
 ///   wanted   the value of the surface

@@ -4,10 +4,8 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/color/channel_nm.h"
 #include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
-#include "core/fresnel/solve_index.h"
 #include "core/material/appearance.h"
 #include "core/material/dispersion.h"
 #include "core/material/f0.h"
@@ -18,18 +16,6 @@
 
 namespace etak {
 namespace {
-
-// The least n in a hint, because a metal without loss has n = 0, which has no logarithm.
-constexpr double least_hint = 1e-6;
-
-// It only chooses between two solutions.
-Vec3 log_n_hint(const OpticalConstants& optics, std::string_view what) {
-  const GridIndex index = grid_index(optics, what);
-  Vec3 out{};
-  for (std::size_t c = 0; c < 3; ++c)
-    out[c] = std::log(std::max(least_hint, index.n[static_cast<std::size_t>(channel_nm[c] - grid_first_nm)]));
-  return out;
-}
 
 // Beer's law for each channel, from the depth for which the colour is known to the diameter of the ball.
 Vec3 passing_of(const ClearBody& body) {
@@ -69,9 +55,9 @@ GridIndex grid_index(const OpticalConstants& optics, std::string_view what) {
   return out;
 }
 
-void solve_index(SurfaceValues& surface, const Vec3& log_n_hints) {
+void solve_index(SurfaceValues& surface) {
   for (std::size_t c = 0; c < 3; ++c) {
-    const SolvedIndex found = solve_index(surface.f0[c], surface.f82[c], log_n_hints[c]);
+    const SolvedIndex found = solve_index(surface.f0[c], surface.f82[c]);
     surface.n[c] = found.n;
     surface.k[c] = found.k;
     surface.nk_residual[c] =
@@ -93,7 +79,6 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
   const std::string_view kind = optical_kind(material.material_class);
   SurfaceValues out;
   out.gloss = gloss;
-  const auto schlick82 = [](double f0) { return f64::f_schlick(f0, f82_cosine); };
   if (kind == "surface") {
     // The measured reflectance of paint or cloth is the sum of that of the body and that of a surface like
     // plastic.
@@ -104,21 +89,11 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
     out.f0 = vec(result.srgb_linear);
     if (kind == "dielectric") out.diffuse = diffuse;
   }
-  Vec3 hint{};
-  if (const auto* constants = std::get_if<OpticalConstants>(&dataset.optics); constants && result.f82) {
-    out.f82 = vec(*result.f82);
+  if (const auto* constants = std::get_if<OpticalConstants>(&dataset.optics); constants && result.f82)
     out.optics = *constants;
-    hint = log_n_hint(*constants, what);
-  } else {
-    for (std::size_t c = 0; c < 3; ++c) {
-      out.f82[c] = result.f82 ? vec(*result.f82)[c] : schlick82(out.f0[c]);
-      // Where k is not known, the hint is that of a dielectric below the forbidden zone, and that of a metal
-      // else.
-      const double root = std::sqrt(std::clamp(out.f0[c], 0.0, 0.9999));
-      hint[c] = out.f0[c] < 0.2 ? std::log((1 + root) / (1 - root)) : -1;
-    }
-  }
-  solve_index(out, hint);
+  for (std::size_t c = 0; c < 3; ++c)
+    out.f82[c] = result.f82 ? vec(*result.f82)[c] : f64::f_schlick(out.f0[c], f82_cosine);
+  solve_index(out);
   std::optional<ClearBody> body;
   if (diffuse == Vec3{0, 0, 0}) body = clear_body(material, dataset);
   if (body) out.passing = passing_of(*body);
@@ -155,16 +130,12 @@ std::string curve_note(const FresnelCurve& curve) {
 }
 
 void complete_from_f0(SurfaceValues& surface) {
-  Vec3 hint{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const double root = std::sqrt(std::clamp(surface.f0[c], 0.0, 0.9999));
-    const double clear_n = (1 + root) / (1 - root);
-    const bool dielectric = surface.f0[c] < forbidden_zone_first;
-    surface.f82[c] =
-        dielectric ? f64::fresnel_exact(clear_n, 0, f82_cosine) : f64::f_schlick(surface.f0[c], f82_cosine);
-    hint[c] = dielectric ? std::log(clear_n) : -1;
+    const double root = std::sqrt(std::clamp(surface.f0[c], 0.0, 0.9999)), clear_n = (1 + root) / (1 - root);
+    surface.f82[c] = surface.f0[c] < forbidden_zone_first ? f64::fresnel_exact(clear_n, 0, f82_cosine)
+                                                          : f64::f_schlick(surface.f0[c], f82_cosine);
   }
-  solve_index(surface, hint);
+  solve_index(surface);
 }
 
 }  // namespace etak

@@ -114,16 +114,10 @@ SurfaceValues typed_surface(const std::vector<std::string>& words, const Surface
     }
     return surface;
   }
-  if (!has_f82) {
+  if (has_f82)
+    solve_index(surface);
+  else
     complete_from_f0(surface);
-    return surface;
-  }
-  Vec3 hint{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double root = std::sqrt(std::min(surface.f0[c], 0.9999));
-    hint[c] = surface.f0[c] < forbidden_zone_first ? std::log((1 + root) / (1 - root)) : -1;
-  }
-  solve_index(surface, hint);
   return surface;
 }
 

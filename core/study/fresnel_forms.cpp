@@ -97,9 +97,7 @@ FresnelValues fit_index(const FresnelTruth& truth) {
   SurfaceValues surface;
   surface.f0 = truth.f0;
   surface.f82 = truth.f82;
-  Vec3 hints{};
-  for (std::size_t c = 0; c < 3; ++c) hints[c] = std::log(truth.three_wavelengths[0][c]);
-  solve_index(surface, hints);
+  solve_index(surface);
   FresnelValues out{};
   for (std::size_t c = 0; c < 3; ++c) out[c] = {surface.n[c], surface.k[c]};
   return out;

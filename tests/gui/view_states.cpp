@@ -22,7 +22,7 @@ ViewState gold_state() {
   SurfaceValues& surface = out.a.surface;
   surface.f0 = {1.0, 0.78, 0.34};
   surface.f82 = {0.99, 0.9, 0.7};
-  solve_index(surface, {-1, -1, -1});
+  solve_index(surface);
   surface.gloss = 0.6;
   out.a.specular = find_model(default_specular);
   out.a.diffuse = find_model(default_diffuse);

@@ -4,7 +4,6 @@
 
 #include "core/exchange/targets/target.h"
 #include "core/fresnel/fresnel.h"
-#include "core/fresnel/solve_index.h"
 
 namespace etak {
 namespace {
@@ -18,11 +17,13 @@ void write_gulbrandsen(const TargetJob& j) {
     const Vec3 f0 = vec(r), f82 = vec(*j.s.f82);
     Vec3 edge{}, seen{};
     for (std::size_t c = 0; c < 3; ++c) {
-      const SolvedIndex index = solve_index(f0[c], f82[c], j.s.log_n_hint[c]);
+      const SolvedIndex index = solve_index(f0[c], f82[c]);
       const double root = std::sqrt(f0[c]);
       const double most = (1 + root) / (1 - root), least = (1 - f0[c]) / (1 + f0[c]);
       edge[c] = most > least ? std::clamp((most - index.n) / (most - least), 0.0, 1.0) : 0;
-      seen[c] = f64::fresnel_exact(index.n, index.k, f82_cosine);
+      // The form ends at the n of the largest k; an edge above that of it is out of its reach.
+      seen[c] = index.n < least ? f64::fresnel_exact(least, 2 * root / (1 + f0[c]), f82_cosine)
+                                : f64::fresnel_exact(index.n, index.k, f82_cosine);
     }
     g = to_rgb(edge);
     note_change(j.out.changes, "F82", list(*j.s.f82), {seen[0], seen[1], seen[2]}, "nearest",

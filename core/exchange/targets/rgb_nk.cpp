@@ -4,7 +4,6 @@
 
 #include "core/exchange/targets/target.h"
 #include "core/fresnel/fresnel.h"
-#include "core/fresnel/solve_index.h"
 
 namespace etak {
 namespace {
@@ -23,7 +22,7 @@ RgbIndex rgb_index(const ExportSurface& s) {
       continue;
     }
     const double f82 = vec(*s.f82)[c];
-    const SolvedIndex found = solve_index(f0[c], f82, s.log_n_hint[c]);
+    const SolvedIndex found = solve_index(f0[c], f82);
     n[c] = found.n;
     k[c] = found.k;
     residual[c] = std::max(std::abs(f64::f0(n[c], k[c]) - f0[c]),

@@ -22,7 +22,6 @@ ExportSurface gold_surface() {
   s.kind = SurfaceKind::metal;
   s.f0 = {1.0428, 0.7738, 0.3347};
   s.f82 = LinearRgb{0.9921, 0.8862, 0.6311};
-  s.log_n_hint = {-1.6, -0.8, 0.3};
   return s;
 }
 
@@ -329,4 +328,22 @@ TEST_CASE("colours of another space are refused") {
   ExportSurface s = gold_surface();
   s.space = RgbSpace::acescg;
   CHECK(contains(error_of([&] { (void)fitted_values("unreal", s); }), "acescg"));
+}
+
+TEST_CASE("n and k give cesium's blue F82, which Gulbrandsen's form misses and tells") {
+  ExportSurface cesium = gold_surface();
+  cesium.f0 = {0.363857, 0.363857, 0.363857};
+  cesium.f82 = LinearRgb{0.880313, 0.880313, 0.880313};
+  const EngineValues index = engine_values(*engine_target("rgb-nk"), cesium);
+  CHECK(f64::fresnel_exact(field(index, "n").values[2], field(index, "k").values[2], f82_cosine) ==
+        Approx(0.880313).margin(1e-9));
+  CHECK(index.changes.empty());
+  // The least n of the form is (1 - r) / (1 + r), with the k that keeps F0.
+  const EngineValues form = engine_values(*engine_target("gulbrandsen"), cesium);
+  CHECK(field(form, "edge_color").values[2] == 1);
+  const double n = (1 - 0.363857) / (1 + 0.363857),
+               k = std::sqrt((0.363857 * (n + 1) * (n + 1) - (n - 1) * (n - 1)) / (1 - 0.363857));
+  REQUIRE(form.changes.size() == 1);
+  CHECK(form.changes[0].field == "F82");
+  CHECK(form.changes[0].used[2] == Approx(f64::fresnel_exact(n, k, f82_cosine)).margin(1e-9));
 }

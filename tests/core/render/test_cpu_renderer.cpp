@@ -19,7 +19,7 @@ Scene scene_with(const char* specular, const char* diffuse, int size = 96) {
   scene.width = scene.height = size;
   scene.surface.f0 = {0.9, 0.6, 0.3};
   scene.surface.f82 = {0.93, 0.75, 0.6};
-  solve_index(scene.surface, {-1, -1, -1});
+  solve_index(scene.surface);
   scene.surface.diffuse = {0.3, 0.2, 0.1};
   scene.surface.gloss = 0.6;
   scene.specular = specular ? find_model(specular) : nullptr;
