@@ -30,6 +30,7 @@ struct AtlasMaterialRow {
   // linear light.
   std::array<std::optional<double>, channel_count> value;
   std::vector<std::string> defines;  // for a shader
+  std::string layers = {};           // of an F0 that layers on a base make: their text; empty: a bare surface
   friend bool operator==(const AtlasMaterialRow&, const AtlasMaterialRow&) = default;
 };
 

@@ -77,6 +77,7 @@ std::string material_json(const AtlasMaterialRow& m) {
     if (m.value[c])
       values += (values.empty() ? "" : ", ") + json(channel_names[c]) + ": " + json(*m.value[c]);
   if (!values.empty()) out += ", \"value\": {" + values + "}";
+  if (!m.layers.empty()) out += ", \"layers\": " + json(m.layers);
   return out + ", \"defines\": " + json_array_of(m.defines) + "}";
 }
 
@@ -137,6 +138,7 @@ AtlasMaterialRow read_material_row(const JsonNode& node) {
     for (std::size_t c = 0; c < channel_count; ++c)
       if (node.at("value").has(channel_names[c]))
         out.value[c] = node.at("value").at(channel_names[c]).number();
+  out.layers = node.text_or_empty("layers");
   out.defines = node.at("defines").texts();
   return out;
 }

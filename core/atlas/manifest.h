@@ -33,9 +33,11 @@ struct LibrarySource {
 };
 
 /// One value for all texels. A colour that was given as "#rrggbb" has `codes`, which are kept as they are.
+///   layers   of an F0 that layers on a base make: their text (core/material/stack_text.h). Manifests cannot say it
 struct ConstantSource {
   LinearRgb linear;
   std::optional<Srgb8> codes;
+  std::string layers = {};
   friend bool operator==(const ConstantSource&, const ConstantSource&) = default;
 };
 

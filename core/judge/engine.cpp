@@ -242,6 +242,18 @@ void join_islands(const Manifest& manifest, std::vector<Finding>& findings) {
   findings = std::move(out);
 }
 
+// Makes notes of what the rules for bare surfaces say of colours that layers make by interference.
+void explain_layers(const Manifest& manifest, std::vector<Finding>& findings) {
+  constexpr std::array<std::string_view, 4> rules{"ETK101", "ETK106", "ETK202", "ETK609"};
+  for (Finding& each : findings) {
+    const auto tile = std::ranges::find(manifest.tiles, each.tile, &CheckTile::name);
+    const std::string& layers = tile != manifest.tiles.end() ? tile->layers : manifest.layers;
+    if (layers.empty() || std::ranges::find(rules, each.rule) == rules.end()) continue;
+    each.severity = std::min(each.severity, Severity::info);
+    each.message += "; layers make such colours by interference: " + layers;
+  }
+}
+
 }  // namespace
 
 void judge(const CheckTarget& target, const Evidence& evidence, const Settings& settings, CheckedFile& file) {
@@ -258,6 +270,7 @@ void judge(const CheckTarget& target, const Evidence& evidence, const Settings& 
       file.unreadable = true;
     }
   }
+  explain_layers(target.manifest, findings);
   join_islands(target.manifest, findings);
   const auto key = [](const Finding& f) {
     return std::tuple(f.rule, f.tile, f.box ? f.box->y : -1, f.box ? f.box->x : -1, f.file, f.pointer);

@@ -106,6 +106,7 @@ struct CheckTile {
   // constant over the tile.
   std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;
   std::string island_of;  // material of an atlas whose texels may lie in several tiles; empty: no atlas
+  std::string layers;     // of an F0 that layers on a base make: their text; empty: a bare surface
   int own_around = 0;     // width of the frame around the tile that holds texels of the tile's own picture
   friend bool operator==(const CheckTile&, const CheckTile&) = default;
 };
@@ -117,6 +118,7 @@ struct Manifest {
   std::optional<int> mips;       // levels below level 0 that must stay clean (ETK504)
   std::optional<TextureTransfer> transfer;
   std::string material, surface_class;  // of the whole picture
+  std::string layers;                   // of the whole target, as CheckTile::layers
   bool linear8_f0 = false;              // F0 is declared to be 8-bit linear (ETK405)
   bool transparent = false;             // alpha is transparency
   bool one_texture = false;             // the other texture was left out on purpose: its values are constant

@@ -10,6 +10,7 @@
 #include "core/material/appearance.h"
 #include "core/material/find.h"
 #include "core/material/limits.h"
+#include "core/material/names.h"
 #include "core/material/quality.h"
 #include "core/material/stack_text.h"
 
@@ -122,6 +123,15 @@ void take_measured(ProjectMaterial& material, const FoundF0& found) {
   material.specular = parts.f0;
 }
 
+std::string text_of_layers(const ProjectMaterial& material, const MaterialLibrary& library) {
+  if (!material.measured || material.texture(Channel::specular)) return {};
+  const auto record = library.find(material.measured->material);
+  if (!record) return {};
+  const Dataset& used = dataset_named(*record, material.measured->dataset, record->id);
+  const auto* stack = std::get_if<Stack>(&used.optics);
+  return stack != nullptr ? stack->text : std::string();
+}
+
 std::string body_note(const ProjectMaterial& material, const FoundF0& found, const MaterialLibrary& library) {
   std::string out;
   const bool clear = is_clear_body(found.material, found.chosen(), material.diffuse);
@@ -220,12 +230,14 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
   Project with_colors = project;
   for (std::string& problem : resolve(with_colors, library)) remarks.push_back(std::move(problem));
   AtlasManifest out;
+  const MaterialLibrary all = library_of(project, library);
   for (const ProjectMaterial& m : with_colors.materials) {
     ManifestMaterial row;
     row.name = m.name;
     row.place = m.name;
     row.diffuse = source_of(m, Channel::diffuse, m.diffuse, remarks);
     row.specular = source_of(m, Channel::specular, m.specular, remarks);
+    if (auto* f0 = std::get_if<ConstantSource>(&*row.specular)) f0->layers = text_of_layers(m, all);
     // A roughness is passed on as it was given: the packer then reports what its form of gloss cannot hold.
     if (m.gloss.given_roughness() && !m.texture(Channel::gloss)) {
       const double r = *m.gloss.given_roughness();

@@ -159,6 +159,10 @@ FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library);
 std::vector<std::string> resolve(Project& project, const MaterialLibrary& library);
 /// Sets the colours of one material from its record, as resolve() does.
 void take_measured(ProjectMaterial& material, const FoundF0& found);
+/// The text of the layers that make the F0 of a material, as a record has them; empty: its surface is bare, its F0 is
+/// typed or of a texture, or the record is not found.
+std::string text_of_layers(const ProjectMaterial& material, const MaterialLibrary& library);
+
 /// Notes on a measured material: that its body is clear and not drawn, how a total reflectance was divided, how far the
 /// drawn F of layers is off, that its roughness is a convention. One sentence a line; empty where there is nothing to note.
 std::string body_note(const ProjectMaterial& material, const FoundF0& found, const MaterialLibrary& library);

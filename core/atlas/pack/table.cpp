@@ -184,6 +184,7 @@ AtlasLayout layout_table(const PackOptions& options, const PackSource& source, c
       fate.constant[alpha_channel] = 255;
     if (!m.facts.reached && !fate.texels) continue;
     AtlasMaterialRow row{m.name, fate.texels, m.alpha_mode, m.alpha_cutoff, fate.constant, {}, {}};
+    row.layers = m.color[static_cast<std::size_t>(Texture::specular_gloss)].layers;
     for (std::size_t c = 0; c < channel_count && m.facts.floats; ++c)
       if (fate.constant[c]) row.value[c] = c == alpha_channel && m.facts.opaque ? 1 : m.facts.exact[c];
     row.defines = material_defines(fate, m.alpha_mode);

@@ -43,6 +43,7 @@ struct PlaneSource {
   std::string space_name;                  // "" for the usual
   std::array<std::uint8_t, 3> constant{};
   std::array<double, 3> exact{};      // what `constant` is the code of: linear light, or a plain quantity
+  std::string layers = {};            // of an F0 that layers on a base make: their text
   const PictureDoor* door = nullptr;  // for pictures that are not read in strips
 
   bool is_image() const { return !path.empty(); }

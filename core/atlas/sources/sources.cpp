@@ -134,7 +134,8 @@ void tell_outside(const RolePlace& at, const std::string& what, const LinearRgb&
     }
 }
 
-F0Result library_color(const RolePlace& at, const LibrarySource& source, const Resolving& r) {
+// The colour of a material of the library, as a plane of one value.
+PlaneSource library_color(const RolePlace& at, const LibrarySource& source, const Resolving& r) {
   const std::string place = at.pointer();
   NameWords words;
   words.place = place;
@@ -156,13 +157,18 @@ F0Result library_color(const RolePlace& at, const LibrarySource& source, const R
     if (!method) throw Error::at(place, printable(source.method), "a method of integration");
     options.method = *method;
   }
-  F0Result result = F0Solver(std::move(options)).solve(dataset.optics, dataset.flags);
+  const F0Result result = F0Solver(std::move(options)).solve(dataset.optics, dataset.flags);
   if (result.refused()) throw Error::at(place, material.id + ": " + result.refusal);
   if (diffuse && optical_kind(material.material_class) == "surface")
     r.remarks.push_back(at.material.name + ": diffuse is the total reflectance of " + material.id +
                         ", which holds what its surface reflects: specular comes on top of it");
-  tell_outside(at, material.id, result.srgb_linear, r);
-  return result;
+  const LinearRgb& linear = result.srgb_linear;
+  tell_outside(at, material.id, linear, r);
+  PlaneSource out;
+  out.constant = {result.srgb8.r, result.srgb8.g, result.srgb8.b};
+  out.exact = {linear.r, linear.g, linear.b};
+  if (const auto* stack = std::get_if<Stack>(&dataset.optics)) out.layers = stack->text;
+  return out;
 }
 
 PlaneSource color_plane(const RolePlace& at, const TextureSource& source, const Resolving& r) {
@@ -171,16 +177,11 @@ PlaneSource color_plane(const RolePlace& at, const TextureSource& source, const 
     const Srgb8 codes = constant->codes ? *constant->codes : srgb_u8(constant->linear);
     out.constant = {codes.r, codes.g, codes.b};
     out.exact = {constant->linear.r, constant->linear.g, constant->linear.b};
+    out.layers = constant->layers;
     tell_outside(at, at.role, constant->linear, r);
     return out;
   }
-  if (const auto* material = std::get_if<LibrarySource>(&source)) {
-    const F0Result result = library_color(at, *material, r);
-    const LinearRgb& linear = result.srgb_linear;
-    out.constant = {result.srgb8.r, result.srgb8.g, result.srgb8.b};
-    out.exact = {linear.r, linear.g, linear.b};
-    return out;
-  }
+  if (const auto* material = std::get_if<LibrarySource>(&source)) return library_color(at, *material, r);
   const auto& image = std::get<ImageSource>(source);
   out.path = image.path;
   out.door = &r.reading.door;

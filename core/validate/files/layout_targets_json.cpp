@@ -3,7 +3,6 @@
 #include <array>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <tuple>
 
 #include "core/atlas/layout.h"
@@ -89,6 +88,7 @@ AtlasMaterialRow read_row(const JsonNode& node) {
   AtlasMaterialRow out;
   out.name = node.at("name").text();
   if (node.has("texels")) out.texels = node.at("texels").boolean();
+  out.layers = node.text_or_empty("layers");
   if (!node.has("constant")) return out;
   const JsonNode constant = node.at("constant");
   constant.expect_object();
@@ -186,6 +186,7 @@ CheckTarget target_of_numbers(const LayoutFacts& facts, const std::string& label
   for (const AtlasMaterialRow& row : facts.materials) {
     CheckTile tile;
     tile.name = row.name;
+    tile.layers = row.layers;
     for (const Texture texture : both_textures)
       tile.flat[static_cast<std::size_t>(texture)] = flat_codes(row, texture);
     if (!row.texels && tile.flat[0] && tile.flat[1]) out.manifest.tiles.push_back(std::move(tile));
@@ -197,16 +198,30 @@ CheckTarget target_of_numbers(const LayoutFacts& facts, const std::string& label
   return out;
 }
 
+using RowsByName = std::map<std::string_view, const AtlasMaterialRow*>;
+
+// Takes another material into a tile of the same texels. Layers explain the tile only if those of all its materials do.
+void share_layers(const std::string& layers, CheckTile& tile) {
+  if (layers.empty()) tile.layers.clear();
+}
+
 // The materials whose parts lie apart, each a target of the page's files. Those that read the same are one.
-void add_materials_apart(const LayoutFacts& facts, const std::string& label, std::vector<CheckTarget>& to) {
+void add_materials_apart(const LayoutFacts& facts, const RowsByName& rows, const std::string& label,
+                         std::vector<CheckTarget>& to) {
   std::map<std::string, std::vector<AtlasRect>> by_name;
   for (const LayoutFacts::Place& place : facts.places)
     if (!place.rect.holds_all()) by_name[place.material].push_back(place.rect);
   std::vector<std::vector<AtlasRect>> known;
+  const std::size_t first = to.size();
   for (const auto& [name, rects] : by_name) {
+    const auto row = rows.find(name);
+    const std::string layers = row != rows.end() ? row->second->layers : "";
     std::vector<AtlasRect> nameless = rects;
     for (AtlasRect& rect : nameless) rect.name.clear();
-    if (std::ranges::find(known, nameless) != known.end()) continue;
+    if (const auto same = std::ranges::find(known, nameless); same != known.end()) {
+      share_layers(layers, to[first + static_cast<std::size_t>(same - known.begin())].manifest.tiles[0]);
+      continue;
+    }
     known.push_back(std::move(nameless));
     CheckTarget target = to[static_cast<std::size_t>(rects[0].page)];
     target.label = label + "#/materials/" + name;
@@ -215,6 +230,7 @@ void add_materials_apart(const LayoutFacts& facts, const std::string& label, std
     target.manifest.parts = rects;
     CheckTile tile;
     tile.name = tile.island_of = name;
+    tile.layers = layers;
     tile.page = rects[0].page;
     tile.box = {0, 0, rects[0].source_width, rects[0].source_height};
     tile.gutter = tile.mips = 0;
@@ -234,24 +250,33 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
     target.label = target.files.empty() ? label + "#/pages/" + std::to_string(targets.size() - 1)
                                         : target.files.back().label;
   }
-  std::map<std::string_view, const AtlasMaterialRow*> by_name;
+  RowsByName by_name;
   for (const AtlasMaterialRow& row : facts.materials) by_name.try_emplace(row.name, &row);
-  // Materials that share texels have a rectangle each, all of the same place, which is one tile.
-  std::set<std::tuple<int, int, int, int, int>> seen;
+  // Materials that share texels have a rectangle each, all of the same place, which is one tile: by place its number on
+  // the page.
+  std::map<std::tuple<int, int, int, int, int>, std::size_t> seen;
   for (auto& [name, tile, rect] : facts.places) {
     const PixelBox& box = tile.box;
     CheckTarget& target = targets[static_cast<std::size_t>(tile.page)];
     target.manifest.layout_alone = target.manifest.layout_alone || !rect.holds_all();
     if (!rect.holds_all() && box.width == 1 && box.height == 1) continue;  // a number is no picture
-    if (!seen.emplace(tile.page, box.x, box.y, box.width, box.height).second) continue;
-    if (const auto row = by_name.find(name); row != by_name.end())
+    const auto row = by_name.find(name);
+    tile.layers = row != by_name.end() ? row->second->layers : "";
+    std::vector<CheckTile>& tiles = target.manifest.tiles;
+    const auto [known, fresh] =
+        seen.try_emplace({tile.page, box.x, box.y, box.width, box.height}, tiles.size());
+    if (!fresh) {
+      share_layers(tile.layers, tiles[known->second]);
+      continue;
+    }
+    if (row != by_name.end())
       for (const Texture texture : both_textures)
         tile.flat[static_cast<std::size_t>(texture)] = flat_codes(*row->second, texture);
-    target.manifest.tiles.push_back(std::move(tile));
+    tiles.push_back(std::move(tile));
   }
   CheckTarget numbers = target_of_numbers(facts, label);
   if (!numbers.manifest.tiles.empty()) targets.push_back(std::move(numbers));
-  add_materials_apart(facts, label, targets);
+  add_materials_apart(facts, by_name, label, targets);
   return targets;
 }
 

@@ -40,18 +40,6 @@ bool takes_measured_f0(const ProjectMaterial& material, const MaterialLibrary& l
   return record && gives_f0(record->material_class);
 }
 
-// Makes notes of what the rules for bare surfaces say of colours that layers make by interference.
-void explain_layers(const Dataset& dataset, std::vector<Finding>& findings) {
-  const auto* stack = std::get_if<Stack>(&dataset.optics);
-  if (stack == nullptr) return;
-  constexpr std::array<std::string_view, 4> rules{"ETK101", "ETK106", "ETK202", "ETK609"};
-  for (Finding& each : findings) {
-    if (std::ranges::find(rules, each.rule) == rules.end()) continue;
-    each.severity = std::min(each.severity, Severity::info);
-    each.message += "; layers make such colours by interference: " + stack->text;
-  }
-}
-
 // "; measured: jones; other datasets: smith 0.59, brown 0.57". The numbers are luminances of F0.
 std::string measured_text(const MeasuredF0& measured, const MaterialLibrary& library,
                           const KnownMaterials& known) {
@@ -94,6 +82,7 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
     target.manifest.transparent = material.alpha_mode == AlphaMode::blend;
   }
   if (material.measured) target.manifest.material = material.measured->material;
+  target.manifest.layers = text_of_layers(material, library);
   // In the mode opaque nothing reads the alpha, constant or not.
   const bool opaque = material.alpha_mode == AlphaMode::opaque;
   if (opaque) own.rules["ETK503"].severity = Severity::off;
@@ -134,10 +123,14 @@ Material used_record(const MeasuredF0& measured, const MaterialLibrary& library)
 }
 
 // What is found about other datasets than the one in use is left out.
-//   label   how the material calls its record
-CheckedFile check_record(const std::string& label, const Material& record, const Settings& settings) {
+//   layers   of the F0 that the material takes from it
+CheckedFile check_record(const MeasuredF0& measured, const MaterialLibrary& library,
+                         const std::string& layers, const Settings& settings) {
+  const Material record = used_record(measured, library);
+  const std::string& label = measured.material;
   CheckTarget target;
   target.label = label;
+  target.manifest.layers = layers;
   target.files = {{FileRole::material, "", label, false}};
   CheckedFile file = checked_file_of(target);
   const std::string own = "/datasets/" + std::to_string(record.preferred);
@@ -174,13 +167,7 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
   part([&] { return check_texels(material, library, door, settings, most_texels, threads, kept); });
   if (material.measured)
     part([&] {
-      const Material record = used_record(*material.measured, library);
-      CheckedFile file = check_record(material.measured->material, record, settings);
-      // A texture has an F0 of its own.
-      if (!material.texture(Channel::specular))
-        for (std::vector<Finding>* findings : {&out.findings, &file.findings})
-          explain_layers(record.preferred_dataset(), *findings);
-      return file;
+      return check_record(*material.measured, library, text_of_layers(material, library), settings);
     });
   for (Finding& each : out.findings) each.material = material.name;
   return out;

@@ -14,12 +14,13 @@ void add_manifest(std::string& text, const Manifest& manifest) {
           (manifest.transfer ? std::string(name(*manifest.transfer)) : "-") + ' ' +
           (manifest.linear8_f0 ? '1' : '0') + (manifest.transparent ? '1' : '0') +
           (manifest.packed ? '1' : '0') + (manifest.scene.empty() ? '0' : '1') + '\n' + manifest.material +
-          '\n' + manifest.surface_class + '\n';
+          '\n' + manifest.surface_class + '\n' + manifest.layers + '\n';
   for (const CheckTile& tile : manifest.tiles)
-    text += tile.name + '\n' + tile.material + '\n' + tile.surface_class + '\n' + std::to_string(tile.box.x) +
-            ' ' + std::to_string(tile.box.y) + ' ' + std::to_string(tile.box.width) + ' ' +
-            std::to_string(tile.box.height) + ' ' + std::to_string(tile.page) + ' ' +
-            (tile.typical_gloss ? number(*tile.typical_gloss, 17) : "-") + '\n';
+    text += tile.name + '\n' + tile.material + '\n' + tile.surface_class + '\n' + tile.layers + '\n' +
+            std::to_string(tile.box.x) + ' ' + std::to_string(tile.box.y) + ' ' +
+            std::to_string(tile.box.width) + ' ' + std::to_string(tile.box.height) + ' ' +
+            std::to_string(tile.page) + ' ' + (tile.typical_gloss ? number(*tile.typical_gloss, 17) : "-") +
+            '\n';
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ AtlasLayout layout() {
   row.alpha_cutoff = 0.25;
   row.constant[4] = 56;
   row.defines = {"ETAK_SCALAR_F0"};
+  row.layers = "anatase:40nm/titanium";
   out.materials.push_back(row);
   out.settings_hash = "12", out.content_hash = "34";
   out.other_files = {"scene.gltf"};

@@ -251,8 +251,8 @@ const std::vector<Mutation>& mutations() {
              set_rgb(s.b.at(x, y), {200, 195, 190});
              set_rgb(s.a.at(x, y), {0, 0, 0});
            }
-         s.manifest.tiles = {{"left", "", "", {0, 0, middle, size}, 0, {}, {}, {}, {}, {}},
-                             {"right", "", "", {middle, 0, size - middle, size}, 0, {}, {}, {}, {}, {}}};
+         s.manifest.tiles = {{"left", "", "", {0, 0, middle, size}, 0, {}, {}, {}, {}, {}, {}},
+                             {"right", "", "", {middle, 0, size - middle, size}, 0, {}, {}, {}, {}, {}, {}}};
        }},
       {"ETK505", "black gutter",
        [](TextureSet& s, Random&) {
@@ -261,7 +261,7 @@ const std::vector<Mutation>& mutations() {
          each_texel(s.a, [&](auto a, int x, int y) {
            if (x < 8 || y < 8 || x >= size - 8 || y >= size - 8) set_rgb(a, {0, 0, 0});
          });
-         s.manifest.tiles = {{"tile", "", "", box, 0, {}, {}, {}, {}, {}}};
+         s.manifest.tiles = {{"tile", "", "", box, 0, {}, {}, {}, {}, {}, {}}};
          s.manifest.gutter = 4;
          s.manifest.mips = 0;
        }},
@@ -273,8 +273,8 @@ const std::vector<Mutation>& mutations() {
              std::ranges::copy(s.a.at(x, y), s.a.at(x + half, y).begin());
              std::ranges::copy(s.b.at(x, y), s.b.at(x + half, y).begin());
            }
-         s.manifest.tiles = {{"one", "", "", {0, 0, half, s.a.height}, 0, {}, {}, {}, {}, {}},
-                             {"two", "", "", {half, 0, half, s.a.height}, 0, {}, {}, {}, {}, {}}};
+         s.manifest.tiles = {{"one", "", "", {0, 0, half, s.a.height}, 0, {}, {}, {}, {}, {}, {}},
+                             {"two", "", "", {half, 0, half, s.a.height}, 0, {}, {}, {}, {}, {}, {}}};
          s.manifest.mips = 0;
        }},
   };

@@ -295,8 +295,8 @@ TEST_CASE("tiles are judged apart: overlaps, gutters, mips and equal tiles") {
   TextureSet set = plain_set(128);
   fill(set.b, {64, 0, 64, 128}, {200, 190, 180});
   fill(set.a, {64, 0, 64, 128}, {0, 0, 0});
-  set.manifest.tiles = {{"plastic", "", "", {0, 0, 64, 128}, 0, {}, {}, {}, {}, {}},
-                        {"steel", "", "", {64, 0, 64, 128}, 0, {}, {}, {}, {}, {}}};
+  set.manifest.tiles = {{"plastic", "", "", {0, 0, 64, 128}, 0, {}, {}, {}, {}, {}, {}},
+                        {"steel", "", "", {64, 0, 64, 128}, 0, {}, {}, {}, {}, {}, {}}};
   // Aligned to 64 texels: clean at every level up to 6, even without a gutter.
   set.manifest.mips = 6;
   CHECK(!found(check_set(set), "ETK504"));
@@ -319,7 +319,7 @@ TEST_CASE(
   for (Image8* const image : {&set.a, &set.b})
     for (std::size_t i = 3; i < image->values.size(); i += 4) image->values[i] = 255;
   const auto piece = [&](const char* name, int column) {
-    set.manifest.tiles.push_back({name, "", "", {32 * column, 0, 32, 64}, 0, {}, {}, {}, {}, {}});
+    set.manifest.tiles.push_back({name, "", "", {32 * column, 0, 32, 64}, 0, {}, {}, {}, {}, {}, {}});
   };
   piece("crate", 0);
   piece("crate", 1);
@@ -342,7 +342,7 @@ TEST_CASE("unaligned tiles with a gutter of g stay clean up to level log2(g) + 1
     for (auto* image : {&set.a, &set.b})
       for (int y = 0; y < 128; ++y)
         for (int x = 0; x < 128; ++x) image->at(x, y)[3] = 255;
-    set.manifest.tiles = {{"tile", "", "", tile, 0, {}, {}, {}, {}, {}}};
+    set.manifest.tiles = {{"tile", "", "", tile, 0, {}, {}, {}, {}, {}, {}}};
     set.manifest.gutter = gutter;
     const int clean = static_cast<int>(std::log2(gutter)) + 1;
     INFO("gutter " << gutter);

@@ -143,3 +143,54 @@ TEST_CASE("islands of a material have one finding for each rule, with the worst 
   CHECK(contains(place_of(zone[0]), ":tile \"crate\" ["));
   CHECK(contains(place_of(zone[0]), "] and 1 more island"));
 }
+
+namespace {
+
+// A page of one blue F0, which all of the materials have, each with its layers.
+CheckedFile check_blue(const std::vector<std::pair<std::string, std::string>>& names_and_layers) {
+  AtlasLayout layout;
+  layout.pages.push_back({64, 64, {std::vector<std::string>{"a.png"}, std::vector<std::string>{"b.png"}}});
+  for (const auto& [name, layers] : names_and_layers) {
+    AtlasRect rect;
+    rect.name = name;
+    rect.width = rect.height = rect.source_width = rect.source_height = 64;
+    rect.crop = {0, 0, 64, 64};
+    layout.rects.push_back(rect);
+    AtlasMaterialRow row;
+    row.name = name;
+    row.layers = layers;
+    layout.materials.push_back(row);
+  }
+  Image8 a(64, 64, 4, 255), b(64, 64, 4);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const std::array<std::uint8_t, 4> blue{75, 53, 144, static_cast<std::uint8_t>(150 + (x + y) % 32)};
+      std::ranges::copy(blue, b.at(x, y).begin());
+      std::ranges::fill(a.at(x, y).first(3), std::uint8_t{0});
+    }
+  const AtlasLayout read = parse_layout(layout_json(layout), "layout.json");
+  CHECK(read == layout);
+  return check_pictures(targets_of_layout_text(layout_json(layout), "layout.json", "layout.json").at(0),
+                        {&a, &b, nullptr}, {}, 1);
+}
+
+const Finding& hue_of(const CheckedFile& file) {
+  const auto found = std::ranges::find(file.findings, "ETK106", &Finding::rule);
+  REQUIRE(found != file.findings.end());
+  return *found;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a layout's layers explain colours of interference, for a bare material of the same texels they do not") {
+  const std::pair<std::string, std::string> oxide{"oxide", "anatase:40nm/titanium"}, paint{"paint", ""};
+  const Finding explained = hue_of(check_blue({oxide}));
+  CHECK(explained.severity == Severity::info);
+  CHECK(contains(explained.message, "layers make such colours by interference: anatase:40nm/titanium"));
+  for (const auto& materials : {std::vector{paint}, std::vector{oxide, paint}, std::vector{paint, oxide}}) {
+    const Finding bare = hue_of(check_blue(materials));
+    CHECK(bare.severity == Severity::error);
+    CHECK(!contains(bare.message, "layers"));
+  }
+}
