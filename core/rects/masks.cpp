@@ -285,14 +285,22 @@ MaskShape turned(const MaskShape& shape) {
 
 std::optional<RectLayout> pack_masks(std::span<const MaskShape> shapes, const RectOptions& options) {
   if (shapes.empty()) return std::nullopt;
-  MaskSearch search(shapes, options);
-  Found found = search.run();
-  if (found.page.width == 0) return std::nullopt;
-  RectLayout out;
-  out.pages = {found.page};
-  out.places = std::move(found.places);
-  out.method = "outlines by " + std::string(search.order());
-  out.tries = search.tries();
+  std::optional<RectLayout> out;
+  int tries = 0;
+  for (const bool rotate : {false, true}) {
+    if (rotate && !options.rotate) break;
+    RectOptions way = options;
+    way.rotate = rotate;
+    MaskSearch search(shapes, way);
+    Found found = search.run();
+    tries += search.tries();
+    if (found.page.width == 0 || (out && static_cast<std::int64_t>(out->page_texels()) <= found.area)) continue;
+    out.emplace();
+    out->pages = {found.page};
+    out->places = std::move(found.places);
+    out->method = "outlines by " + std::string(search.order());
+  }
+  if (out) out->tries = tries;
   return out;
 }
 

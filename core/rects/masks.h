@@ -29,7 +29,7 @@ MaskShape turned(const MaskShape& shape);
 /// A shape goes to the lowest row, then to the leftmost column where it is free. All columns of a row are
 /// tried at once, 64 to a word: a run of n units is free at column x where no bit of page[x .. x + n - 1] is
 /// set, and the page keeps, of each row, that answer for every power of two. Several orders of the shapes are
-/// tried at several widths. From: Baker, Coffman and Rivest 1980 (bottom left).
+/// tried at several widths. With `rotate` the page is never larger than without. From: Baker, Coffman and Rivest 1980 (bottom left).
 std::optional<RectLayout> pack_masks(std::span<const MaskShape> shapes, const RectOptions& options);
 
 }  // namespace etak

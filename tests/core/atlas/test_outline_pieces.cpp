@@ -2,10 +2,14 @@
 #include "core/atlas/outline_pieces.h"
 
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <map>
 #include <random>
 #include <set>
 #include <tuple>
+
+#include "tests/bench/island_sets.h"
+#include "tests/support.h"
 
 namespace etak::test {
 namespace {
@@ -93,6 +97,25 @@ TEST_CASE("outlines take less than their boxes, and the account of their cells i
   }
   CHECK(2 * cells <= by_outline.page_texels());
   CHECK(outline_pieces(boxes, by_box).regions == boxes);
+}
+
+TEST_CASE("charts of meshes by outline take at most these shares of the page of their boxes") {
+  // Gutters of 2; bench_islands has the figures.
+  const std::map<std::string, double> most{{"gear", 0.79}, {"grass", 0.40}, {"knot", 0.57}, {"rock", 0.87}};
+  for (const auto& [name, share] : most) {
+    std::ifstream file(source_folder() + "/tests/bench/islands/" + name + ".txt");
+    const std::vector<Region> islands = read_islands(file);
+    REQUIRE(islands.size() >= 20);
+    std::vector<Region> boxes = islands;
+    for (Region& box : boxes) box.texels.clear();
+    PlanOptions options;
+    options.rects.form = PageForm::free;
+    options.gutter = 2;
+    options.may_inset = false;
+    const auto by_outline = static_cast<double>(plan_pages(islands, {"m"}, options).page_texels());
+    INFO(name);
+    CHECK(by_outline <= share * static_cast<double>(plan_pages(boxes, {"m"}, options).page_texels()));
+  }
 }
 
 }  // namespace etak::test

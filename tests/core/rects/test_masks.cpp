@@ -78,6 +78,8 @@ TEST_CASE("shapes of any sides lie apart on their page, for any number of thread
     options.threads = 3;
     const auto again = pack_masks(shapes, options);
     CHECK((again->places == layout->places && again->pages == layout->pages));
+    options.rotate = false;
+    CHECK(layout->page_texels() <= pack_masks(shapes, options)->page_texels());
   }
 }
 
