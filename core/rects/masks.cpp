@@ -294,7 +294,8 @@ std::optional<RectLayout> pack_masks(std::span<const MaskShape> shapes, const Re
     MaskSearch search(shapes, way);
     Found found = search.run();
     tries += search.tries();
-    if (found.page.width == 0 || (out && static_cast<std::int64_t>(out->page_texels()) <= found.area)) continue;
+    if (found.page.width == 0 || (out && static_cast<std::int64_t>(out->page_texels()) <= found.area))
+      continue;
     out.emplace();
     out->pages = {found.page};
     out->places = std::move(found.places);

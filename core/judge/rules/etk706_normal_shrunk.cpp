@@ -25,8 +25,9 @@ constinit const Rule etk706_normal_shrunk{
         Finding& finding = check.report(map);
         finding.value = "length " + number(1 - mean, 3);
         finding.limit = "length 1";
-        finding.message = "normals are too short where neighbours differ (" + finding.value +
-                          " on the average): the map was scaled down or blurred";
+        finding.message =
+            "normals are too short where neighbours differ (" + finding.value + " on the average)";
+        finding.cause = "possible cause: the map was scaled down or blurred, or normals were blended";
       });
     }};
 

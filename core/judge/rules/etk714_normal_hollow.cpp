@@ -14,8 +14,9 @@ constinit const Rule etk714_normal_hollow{
     .what =
         "The slopes that red tells are those of the height map beside with the other sign, to 50 %. Red points to the right in every convention, so that one of the two is inverted.",
     .why = "Relief that displacement raises is lit as if it were cut in.",
-    .example = "A depth map named height; normals of which both axes were inverted.",
-    .fix = "Invert the height map, or red and green of the normal map.",
+    .example = "A depth map named height; normals of which both axes, or red alone, were inverted.",
+    .fix =
+        "Invert what is inverted: the height map, or red of the normal map, with green where that is inverted too.",
     .check = [](RuleCheck& check) {
       for_each_map(check, FileRole::normal, [&](const MapEvidence& map) {
         constexpr double least_agreement = 0.5;
@@ -26,7 +27,10 @@ constinit const Rule etk714_normal_hollow{
         finding.value = "inverted";
         finding.limit = "slopes of the height map";
         finding.message =
-            "the relief is that of the height map beside turned inside out: they agree to " + percent(-along);
+            "red tells the slopes of the height map beside with the other sign: they agree to " +
+            percent(-along);
+        finding.cause =
+            "possible cause: red and green inverted, which turns the relief inside out, red alone, or a map of depths beside";
       });
     }};
 

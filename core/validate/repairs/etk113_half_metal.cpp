@@ -30,12 +30,19 @@ RepairOutcome separate_metal(const RepairBench& bench) {
   if (first == last) return {"", "metallic is in no channel of a file of the set"};
   const Image8 marks = bench.marks(RegionKind::half_metal);
   if (const std::string why = wrong_size(*metal, marks); !why.empty()) return {"", why};
+  std::size_t guessed = 0;
   for (const RepairRegion& region : regions_to_repair(bench, marks, bench.seen().metallic)) {
     const auto base = base_luminance(bench, region, marks);
-    const bool is_metal = region.mean[0] >= 0.5 && (!base || *base >= bench.settings.zone.high);
+    const bool may_be_metal = !base || *base >= bench.settings.zone.high;
+    const bool is_metal = region.mean[0] >= 0.5 && may_be_metal;
+    if (may_be_metal) guessed += region.texels.size();
     for (const std::size_t i : region.texels)
       for (std::size_t c = first; c < last; ++c) metal->texel(i)[c] = metal->code(is_metal ? 1 : 0);
   }
+  if (2 * guessed >= marks.values.size())
+    return {
+        "",
+        "half of the texels or more are half metal of a base colour that metals have: which are metal is not known"};
   return {"separated metal from what is none"};
 }
 

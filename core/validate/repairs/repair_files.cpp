@@ -2,6 +2,7 @@
 #include "core/validate/repairs/repair_files.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -26,6 +27,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* no_repair = "etak has no repair for this rule";
+
+// Errors that say that a picture holds something else than its name says. What a repair would make of it may pass, and
+// be no less wrong.
+constexpr std::array<std::string_view, 3> rules_of_other_content{"ETK004", "ETK116", "ETK710"};
 
 Image8 codes8(const RepairPicture& picture) {
   Image8 out(picture.codes.width, picture.codes.height, picture.codes.channels);
@@ -196,6 +201,13 @@ class TargetRepair {
         return no_repair;
       if (is_pipe_input(file.path)) return "from a pipe, of which there is no copy to make";
     }
+    for (const Finding& finding : findings_)
+      if (finding.severity == Severity::error && !is_map_set(now_) && !finding.suppressed &&
+          !finding.baseline &&
+          std::ranges::find(rules_of_other_content, finding.rule) != rules_of_other_content.end())
+        return finding.rule + " (" + finding.slug + ") says that " +
+               sys::path_text(fs::path(finding.file).filename()) +
+               " holds something else: a repair would hide it";
     for (const Finding& finding : findings_)
       if (find_repair(finding.rule) != nullptr && why_.count(place_of_rule(finding)) == 0) return {};
     return no_repair;

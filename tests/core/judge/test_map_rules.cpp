@@ -14,6 +14,7 @@
 #include "core/judge/rules.h"
 #include "tests/core/judge/corpus.h"
 #include "tests/core/validate/checked.h"
+#include "tests/support.h"
 
 using namespace etak;
 using namespace etak::test;
@@ -371,6 +372,22 @@ TEST_CASE("flat areas in two codes, constant maps and maps of two channels are t
     INFO(blue << "\n" << told(two));
     for (const char* rule : {"ETK701", "ETK702", "ETK706"}) CHECK(find(two, rule) == nullptr);
   }
+}
+
+TEST_CASE("what several mistakes may have made is told with all of these as possible causes") {
+  const Heights heights = surface(2, 5, side);
+  MapSet red{normals_of(heights), grey_of(heights), {}};
+  each_texel(red.normals, [](auto texel, int, int) { texel[0] = static_cast<std::uint8_t>(255 - texel[0]); });
+  const CheckedFile inverted = judged(red);
+  const Finding* const hollow = find(inverted, "ETK714");
+  REQUIRE(hollow != nullptr);
+  CHECK(contains(hollow->message, "with the other sign"));
+  for (const char* cause : {"possible cause: ", "red and green", "red alone", "depths"})
+    CHECK(contains(hollow->cause, cause));
+  const CheckedFile small = judged(MapSet{halved(normals_of(surface(2, 5, 2 * side))), {}, {}});
+  const Finding* const shrunk = find(small, "ETK706");
+  REQUIRE(shrunk != nullptr);
+  CHECK(contains(shrunk->cause, "possible cause: the map was scaled down or blurred"));
 }
 
 TEST_CASE("rough relief asks for wide highlights, and gloss that answers is left alone") {

@@ -89,6 +89,36 @@ TEST_CASE("a repair that would bring another error is taken back") {
   CHECK(has_rule(repaired.after, "ETK402") == has_rule(repaired.after, "ETK101"));
 }
 
+TEST_CASE("what is something else than its name says is not repaired into what passes") {
+  Random random(4);
+  Image8 base(set_edge, set_edge, 3), roughness(set_edge, set_edge, 1);
+  each_texel(base, [&](auto texel, int, int) { set_rgb(texel, {210 + random.below(20), 205, 200}); });
+  each_texel(roughness,
+             [&](auto texel, int, int) { texel[0] = static_cast<std::uint8_t>(100 + random.below(60)); });
+  const auto left_of = [&](const PictureCodes& metallic, const Image8& of) {
+    const TempFolder folder;
+    put_pictures(
+        folder.file("in"),
+        {{"crate_basecolor.png", of}, {"crate_roughness.png", roughness}, {"crate_metallic.png", metallic}});
+    const RepairedFolder repaired = repair_folder(folder.file("in"), folder.file("out"));
+    REQUIRE(has_rule(repaired.before, "ETK113"));
+    const auto left = std::ranges::find(repaired.report.left, "ETK113", &LeftFinding::rule);
+    if (left == repaired.report.left.end()) return std::string();
+    CHECK(repaired.report.files.empty());
+    return left->why;
+  };
+  // Colours in the place of metallic, some of which lie between metal and none.
+  Image8 colours(set_edge, set_edge, 3);
+  each_texel(colours, [&](auto texel, int x, int) { set_rgb(texel, {90 + x / 4, 120, 180}); });
+  CHECK(contains(left_of(colours, base), "ETK004 (channel-layout) says that crate_metallic.png"));
+  // Half metal all over: only a base colour that no metal has tells what it is.
+  const Image8 half(set_edge, set_edge, 1, 140);
+  CHECK(contains(left_of(half, base), "which are metal is not known"));
+  Image8 dark = base;
+  for (auto& code : dark.values) code = static_cast<std::uint8_t>(code / 3);
+  CHECK(left_of(half, dark).empty());
+}
+
 TEST_CASE("copies lie as their originals do, and never in a folder that is checked") {
   const TempFolder folder;
   Random random(2);
