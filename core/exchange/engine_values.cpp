@@ -70,12 +70,13 @@ void tell_film(const EngineTarget& target, const ExportSurface& surface, Fit fit
     out.notes.emplace_back("no film is written: F0 and F82 are those of the whole");
     return;
   }
-  const FilmInForm& in = *surface.film->forms.in(form);
+  const FilmInForm& in = *surface.film->fits->in(form);
   EngineFilm& film = out.film.emplace();
   if (in.honest) film.honest = film_side(target, surface, ExportFilm::Choice::honest, fit);
   film.fitted = film_side(target, surface, ExportFilm::Choice::fitted, fit);
   film.use_honest = in.use_honest();
   film.advice = in.advice();
+  if (!in.note.empty()) out.notes.push_back(in.note);
   out.notes.push_back(film.advice);
 }
 

@@ -31,8 +31,8 @@ struct EngineTarget {
   }
 };
 
-/// hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, gltf,
-/// gltf-specular-glossiness, gulbrandsen, rgb-nk: in this order.
+/// hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, openpbr-adobe, gltf,
+/// gltf-specular-glossiness, gulbrandsen, rgb-nk, conductor_bsdf, generalized_schlick_bsdf: in this order.
 std::span<const EngineTarget> engine_targets();
 const EngineTarget* engine_target(std::string_view id);
 

@@ -56,17 +56,12 @@ void take_clarity(const Material& material, const Clarity& body, ExportSurface& 
     out.notes.emplace_back("a gas has no surface of its own: the index alone is of use");
 }
 
-// The films that the targets have.
-constexpr std::array<std::string_view, 3> exported_forms{"gltf", "openpbr-metal", "openpbr-dielectric"};
-
 void take_film(const Stack& stack, const Material& material, const F0Options& options, ExportSurface& out) {
-  std::vector<const FilmForm*> forms;
-  for (const std::string_view id : exported_forms) forms.push_back(film_form(id));
-  out.film = ExportFilm{film_parameters(stack, film_base(material.material_class), options, forms)};
+  out.film = ExportFilm{std::make_shared<FilmFits>(stack, film_base(material.material_class), options)};
   out.notes.push_back("F0 and F82 are those of " + stack.text + ", layers and base together");
-  for (const std::string& note : out.film->forms.notes) out.notes.push_back(note);
-  if (!out.film->forms.no_honest.empty())
-    out.notes.push_back("films of renderers are fitted: " + out.film->forms.no_honest);
+  const FilmParameters& known = out.film->fits->known();
+  for (const std::string& note : known.notes) out.notes.push_back(note);
+  if (!known.no_honest.empty()) out.notes.push_back("films of renderers are fitted: " + known.no_honest);
 }
 
 std::string numbers(const std::vector<double>& values) {
@@ -128,7 +123,7 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
 }
 
 const FilmValues& ExportFilm::values(std::string_view form) const {
-  const FilmInForm& found = *forms.in(form);
+  const FilmInForm& found = *fits->in(form);
   if (choice == Choice::advised) return found.used();
   return choice == Choice::honest ? found.honest.value() : found.fitted;
 }

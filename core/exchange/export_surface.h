@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,13 +37,15 @@ struct ExportCoat {
 
 /// A stack as the forms of renderers take it.
 ///   choice   which numbers of a form are exported: those that its advice names, or the ones that are said
+///   adobe    OpenPBR's numbers are those for Adobe's renderer, else for MaterialX's graph
 struct ExportFilm {
   /// A set of numbers of a form.
   enum class Choice { advised, honest, fitted };
-  FilmParameters forms;
+  std::shared_ptr<const FilmFits> fits;
   Choice choice = Choice::advised;
+  bool adobe = false;
 
-  /// Of a form that FilmParameters has, and of honest numbers where it has them.
+  /// Of a form that the base has, and of honest numbers where there are some.
   const FilmValues& values(std::string_view form) const;
   friend bool operator==(const ExportFilm&, const ExportFilm&) = default;
 };

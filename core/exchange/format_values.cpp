@@ -37,7 +37,9 @@ ExportSurface film_base_of(const ExportSurface& s, const double* f0, std::option
 
 OpenPbrValues filmed_open_pbr(const ExportSurface& s, Fit fit, Changes& changes) {
   const bool metal = s.kind == SurfaceKind::metal;
-  const FilmNumbers& x = s.film->values(metal ? "openpbr-metal" : "openpbr-dielectric").numbers;
+  const char* const form = s.film->adobe ? (metal ? "openpbr-adobe-metal" : "openpbr-adobe-dielectric")
+                                         : (metal ? "openpbr-metal" : "openpbr-dielectric");
+  const FilmNumbers& x = s.film->values(form).numbers;
   ExportSurface base = film_base_of(s, x.data(), std::nullopt);
   if (metal) {
     const LinearRgb edge = schlick82(base.f0);

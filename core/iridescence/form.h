@@ -53,6 +53,9 @@ struct FilmForm {
   std::size_t index;
   Vec3 (*seen)(const FilmNumbers& numbers, double cosine);
   FilmNumbers (*honest)(const FilmFacts& facts);
+
+  bool has_film() const { return index < numbers.size(); }
+  bool has(FilmBase base) const { return base == FilmBase::metal ? metal : dielectric; }
 };
 
 /// All forms, in the order of forms.inc.

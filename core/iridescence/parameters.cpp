@@ -133,20 +133,31 @@ FilmParameters film_parameters(const Stack& stack, FilmBase base, const F0Option
   out.no_honest = why_no_honest(stack);
   out.notes = notes_of(stack);
   for (const FilmForm* form : forms) {
-    if (!(base == FilmBase::metal ? form->metal : form->dielectric)) continue;
+    if (!form->has(base)) continue;
     const FilmNumbers known = form->honest(facts), honest = in_range(*form, known);
-    FilmInForm each{form, {}, {fitted_film(*form, truth, honest, path_of(stack)), {}}};
+    FilmInForm each{form, {}, {fitted_film(*form, truth, honest, path_of(stack)), {}}, {}};
     each.fitted.error = film_error(*form, each.fitted.numbers, truth);
-    if (out.no_honest.empty() || form->index >= form->numbers.size())
+    if (out.no_honest.empty() || !form->has_film())
       each.honest = FilmValues{honest, film_error(*form, honest, truth)};
-    if (form->index < form->numbers.size() && known[form->index + 1] > honest[form->index + 1] &&
-        out.no_honest.empty())
-      out.notes.push_back(std::string(form->title) + " is fitted up to " +
-                          number(honest[form->index + 1], 4) + " nm, and the film has " +
-                          number(known[form->index + 1], 4) + " nm");
+    if (form->has_film() && known[form->index + 1] > honest[form->index + 1] && out.no_honest.empty())
+      each.note = std::string(form->title) + " is fitted up to " + number(honest[form->index + 1], 4) +
+                  " nm, and the film has " + number(known[form->index + 1], 4) + " nm";
     out.forms.push_back(std::move(each));
   }
   return out;
+}
+
+FilmFits::FilmFits(const Stack& stack, FilmBase base, const F0Options& options)
+    : stack_(stack), options_(options), known_(film_parameters(stack, base, options, {})) {}
+
+const FilmInForm* FilmFits::in(std::string_view form) const {
+  const FilmForm* const one = film_form(form);
+  if (one == nullptr) return nullptr;
+  const std::lock_guard lock(fitting_);
+  auto at = fitted_.find(one->id);
+  if (at == fitted_.end())
+    at = fitted_.emplace(one->id, film_parameters(stack_, known_.base, options_, {&one, 1})).first;
+  return at->second.in(form);
 }
 
 }  // namespace etak

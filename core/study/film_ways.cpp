@@ -29,6 +29,7 @@ struct FormName {
 constexpr std::array form_names{
     FormName{"gltf", "glTF iridescence", "glTF"},
     FormName{"openpbr-metal", "OpenPBR in MaterialX", "OpenPBR"},
+    FormName{"openpbr-adobe-metal", "OpenPBR by Adobe", "OpenPBR by Adobe"},
     FormName{"conductor_bsdf", "n, k of red, green, blue with film", "MaterialX conductor"},
     FormName{"f82", "F0 and F82 of the whole", own_shader}};
 

@@ -272,7 +272,7 @@ void add_export(CommandLine& line) {
       .show_default();
   verb.option(
           "--target", arguments->targets,
-          "of --to values: only these, with ',' between (hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, gltf, gltf-specular-glossiness, gulbrandsen, rgb-nk)")
+          "of --to values: only these, with ',' between (hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, openpbr-adobe, gltf, gltf-specular-glossiness, gulbrandsen, rgb-nk, conductor_bsdf, generalized_schlick_bsdf)")
       .separated_by(',')
       .value_name("TARGET,...");
   verb.option(

@@ -22,9 +22,19 @@ void write_open_pbr(const TargetJob& j) {
   j.opacity("geometry_opacity");
 }
 
+// The same fields. A film's numbers are those for Adobe's openpbr-bsdf, which draws them in its own way.
+void write_open_pbr_adobe(const TargetJob& j) {
+  ExportSurface surface = j.s;
+  if (surface.film) surface.film->adobe = true;
+  write_open_pbr({surface, j.fit, j.out});
+}
+
 }  // namespace
 
 constinit const TargetRow target_open_pbr{
     {"openpbr", "OpenPBR 1.1", true, "openpbr-metal", "openpbr-dielectric"}, write_open_pbr};
+constinit const TargetRow target_open_pbr_adobe{{"openpbr-adobe", "OpenPBR 1.1 in Adobe's openpbr-bsdf", true,
+                                                 "openpbr-adobe-metal", "openpbr-adobe-dielectric"},
+                                                write_open_pbr_adobe};
 
 }  // namespace etak

@@ -2,16 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/exchange/targets/target.h"
+#include "core/exchange/targets/rgb_index.h"
 #include "core/fresnel/fresnel.h"
 
 namespace etak {
-namespace {
 
-// n and k of the three channels with what they miss.
-struct RgbIndex {
-  LinearRgb n, k, residual;
-};
 RgbIndex rgb_index(const ExportSurface& s) {
   const Vec3 f0 = vec(s.f0);
   Vec3 n{}, k{}, residual{};
@@ -31,6 +26,21 @@ RgbIndex rgb_index(const ExportSurface& s) {
   return {to_rgb(n), to_rgb(k), to_rgb(residual)};
 }
 
+void note_residual(const TargetJob& j, const RgbIndex& index) {
+  if (largest(index.residual) <= 1e-6) return;
+  const auto reflected = [&](double c) {
+    return LinearRgb{f64::fresnel_exact(index.n.r, index.k.r, c), f64::fresnel_exact(index.n.g, index.k.g, c),
+                     f64::fresnel_exact(index.n.b, index.k.b, c)};
+  };
+  note_change(j.out.changes, "F0", list(j.s.f0), list(reflected(1)), "clamp",
+              "no n and k reflect more than all");
+  if (j.s.f82)
+    note_change(j.out.changes, "F82", list(*j.s.f82), list(reflected(f82_cosine)), "nearest",
+                "no n and k have this F0 and this edge");
+}
+
+namespace {
+
 void write_rgb_nk(const TargetJob& j) {
   const RgbIndex index = rgb_index(j.s);
   j.add("n", index.n, plain_text);
@@ -39,18 +49,7 @@ void write_rgb_nk(const TargetJob& j) {
   j.note_no_transmission("a shader of conductors does not draw");
   j.note(j.s.f82 ? "n and k give F0 and F82 of each channel; residual is what they miss of the two"
                  : "without a known edge: k is 0 and n gives F0");
-  if (largest(index.residual) > 1e-6) {
-    const auto reflected = [&](double c) {
-      return LinearRgb{f64::fresnel_exact(index.n.r, index.k.r, c),
-                       f64::fresnel_exact(index.n.g, index.k.g, c),
-                       f64::fresnel_exact(index.n.b, index.k.b, c)};
-    };
-    note_change(j.out.changes, "F0", list(j.s.f0), list(reflected(1)), "clamp",
-                "no n and k reflect more than all");
-    if (j.s.f82)
-      note_change(j.out.changes, "F82", list(*j.s.f82), list(reflected(f82_cosine)), "nearest",
-                  "no n and k have this F0 and this edge");
-  }
+  note_residual(j, index);
 }
 
 }  // namespace

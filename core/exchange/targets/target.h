@@ -31,6 +31,11 @@ struct TargetJob {
   void add(const char* field, const LinearRgb& c, std::string (*text)(const LinearRgb&)) const {
     add(field, list(c), text(c));
   }
+  // MaterialX's roughness: alpha along both axes.
+  void add_alpha(const char* field) const {
+    const std::string alpha = number(s.gloss.alpha(), digits);
+    add(field, {s.gloss.alpha()}, alpha + ", " + alpha);
+  }
   void opacity(const char* field) const {
     if (s.opacity < 1) add(field, s.opacity);
   }

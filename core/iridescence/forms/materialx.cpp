@@ -123,13 +123,6 @@ Vec3 mixed(const Vec3& a, const Vec3& b, double share) {
   return {a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share};
 }
 
-// The edge as a share of Schlick's.
-LinearRgb tint_of(const FilmFacts& f) {
-  return {f.base_f82.r / f64::f_schlick(f.base_f0.r, f82_cosine),
-          f.base_f82.g / f64::f_schlick(f.base_f0.g, f82_cosine),
-          f.base_f82.b / f64::f_schlick(f.base_f0.b, f82_cosine)};
-}
-
 constexpr std::array<FilmNumber, 8> conductor_numbers{{{"ior.r", 0.01, 8},
                                                        {"ior.g", 0.01, 8},
                                                        {"ior.b", 0.01, 8},
@@ -146,23 +139,6 @@ constexpr std::array<FilmNumber, 8> schlick_numbers{{{"color0.r"},
                                                      {"color82.b"},
                                                      {"thinfilm_ior", 1, 3},
                                                      {"thinfilm_thickness", 1, 1200}}};
-constexpr std::array<FilmNumber, 9> metal_numbers{{{"base_color.r"},
-                                                   {"base_color.g"},
-                                                   {"base_color.b"},
-                                                   {"specular_color.r"},
-                                                   {"specular_color.g"},
-                                                   {"specular_color.b"},
-                                                   {"thin_film_ior", 1, 3},
-                                                   {"thin_film_thickness", 1, 1200},
-                                                   {"thin_film_weight"}}};
-constexpr std::array<FilmNumber, 7> dielectric_numbers{{{"specular_color.r"},
-                                                        {"specular_color.g"},
-                                                        {"specular_color.b"},
-                                                        {"specular_ior", 1, 3},
-                                                        {"thin_film_ior", 1, 3},
-                                                        {"thin_film_thickness", 1, 1200},
-                                                        {"thin_film_weight"}}};
-
 Vec3 conductor_seen(const FilmNumbers& x, double cosine) {
   return index_film(x.data(), x.data() + 3, x[6], x[7], cosine);
 }
@@ -174,11 +150,6 @@ FilmNumbers conductor_honest(const FilmFacts& f) {
 Vec3 schlick_seen(const FilmNumbers& x, double cosine) {
   return schlick_film(x.data(), x.data() + 3, x[6], x[7], cosine);
 }
-FilmNumbers schlick_honest(const FilmFacts& f) {
-  const LinearRgb tint = tint_of(f);
-  return {f.base_f0.r, f.base_f0.g, f.base_f0.b, tint.r, tint.g, tint.b, f.film_n, f.thickness_nm, 1};
-}
-
 Vec3 metal_seen(const FilmNumbers& x, double cosine) {
   return mixed(schlick82(x.data(), x.data() + 3, cosine), schlick_seen(x, cosine), x[8]);
 }
@@ -189,10 +160,6 @@ Vec3 dielectric_seen(const FilmNumbers& x, double cosine) {
                        index_film(n.data(), k.data(), x[4], x[5], cosine), x[6]);
   return {f[0] * x[0], f[1] * x[1], f[2] * x[2]};
 }
-FilmNumbers dielectric_honest(const FilmFacts& f) {
-  return {1, 1, 1, f.base_n[1], f.film_n, f.thickness_nm, 1};
-}
-
 constexpr std::string_view nodes =
                                "MaterialX 1.39.5, mx_microfacet_specular.glsl (mx_fresnel_airy, two waves)",
                            graph = "MaterialX 1.39.5, open_pbr_surface.mtlx over mx_microfacet_specular.glsl";
@@ -206,22 +173,22 @@ constinit const FilmForm film_form_generalized_schlick{"generalized_schlick_bsdf
                                                        "MaterialX generalized_schlick_bsdf",
                                                        nodes,
                                                        true,
-                                                       false,
+                                                       true,
                                                        schlick_numbers,
                                                        6,
                                                        schlick_seen,
-                                                       schlick_honest};
+                                                       open_pbr_metal_honest};
 constinit const FilmForm film_form_open_pbr_metal{
-    "openpbr-metal", "OpenPBR metal in MaterialX", graph, true, false, metal_numbers, 6, metal_seen,
-    schlick_honest};
+    "openpbr-metal", "OpenPBR metal in MaterialX", graph, true, false, open_pbr_metal_numbers, 6,
+    metal_seen,      open_pbr_metal_honest};
 constinit const FilmForm film_form_open_pbr_dielectric{"openpbr-dielectric",
                                                        "OpenPBR dielectric in MaterialX",
                                                        graph,
                                                        false,
                                                        true,
-                                                       dielectric_numbers,
+                                                       open_pbr_dielectric_numbers,
                                                        4,
                                                        dielectric_seen,
-                                                       dielectric_honest};
+                                                       open_pbr_dielectric_honest};
 
 }  // namespace etak

@@ -89,8 +89,9 @@ TEST_CASE("each target that knows of transmission gets it with the index, and th
         Approx(1.5).epsilon(1e-12));
   for (const char* target : {"unity-metallic", "unity-specular"})
     CHECK(test::field(values(target, s), "Alpha").values == std::vector<double>{0});
-  for (const char* target : {"hex", "srgb8", "linear", "glsl", "unreal", "unity-metallic", "unity-specular",
-                             "gltf-specular-glossiness", "gulbrandsen", "rgb-nk"}) {
+  for (const char* target :
+       {"hex", "srgb8", "linear", "glsl", "unreal", "unity-metallic", "unity-specular",
+        "gltf-specular-glossiness", "gulbrandsen", "rgb-nk", "conductor_bsdf", "generalized_schlick_bsdf"}) {
     INFO(target << ": " << notes(values(target, s)));
     CHECK(contains(notes(values(target, s)), "the body is clear"));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exports of stacks: the fields of each target's film, their units, and the errors that are told, computed again from the
 // fields alone.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -8,6 +9,7 @@
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
+#include "core/fresnel/fresnel.h"
 #include "core/material/seen_stack.h"
 #include "core/material/stack.h"
 #include "tests/core/exchange/field.h"
@@ -119,7 +121,7 @@ TEST_CASE("a film on glass goes to glTF by index and specular colour, and to Ope
   const auto tint = color_in(gltf.film->fitted.fields, "KHR_materials_specular.specularColorFactor");
   const double ior = number_in(gltf.film->fitted.fields, "KHR_materials_ior.ior");
   const double f0 = std::pow((ior - 1) / (ior + 1), 2);
-  const FilmNumbers& numbers = surface.film->forms.in("gltf")->fitted.numbers;
+  const FilmNumbers& numbers = surface.film->fits->in("gltf")->fitted.numbers;
   for (std::size_t c = 0; c < 3; ++c) CHECK(f0 * tint[c] == Approx(numbers[c]).margin(1e-9));
   const EngineValues openpbr = film_values("openpbr", surface);
   CHECK(number_in(openpbr.film->honest->fields, "specular_ior") == Approx(1.46).margin(0.01));
@@ -172,4 +174,101 @@ TEST_CASE("a film in another space or under water is refused in one line") {
   F0Options water;
   water.outside = {"water", 1.333};
   CHECK(contains(refusal(water), "films of renderers lie in air"));
+}
+
+TEST_CASE("each target has the film's thickness in its own unit") {
+  const ExportSurface surface = filmed_surface("anatase:40nm/titanium");
+  const auto honest = [&](const char* target, std::string_view name) {
+    return number_in(film_values(target, surface).film->honest->fields, name);
+  };
+  CHECK(honest("gltf", iridescence_prefix + "ThicknessMaximum") == 40);
+  CHECK(honest("conductor_bsdf", "thinfilm_thickness") == 40);
+  CHECK(honest("generalized_schlick_bsdf", "thinfilm_thickness") == 40);
+  CHECK(honest("openpbr", "thin_film_thickness") == Approx(0.04));
+  CHECK(honest("openpbr-adobe", "thin_film_thickness") == Approx(0.04));
+}
+
+TEST_CASE(
+    "MaterialX's nodes and Adobe's OpenPBR miss a stack by what is told, computed from their fields alone") {
+  const ExportSurface surface = filmed_surface("anatase:40nm/titanium");
+  const FilmTruth truth = film_truth_of("anatase:40nm/titanium");
+  const auto misses = [&](const char* form, const EngineFilm::Side& side,
+                          std::initializer_list<const char*> names, double last) {
+    FilmNumbers numbers{};
+    std::size_t at = 0;
+    for (const char* name : names)
+      for (const double value : color_in(side.fields, name)) numbers[at++] = value;
+    numbers[at - 1] *= last;
+    CHECK(film_error(*film_form(form), numbers, truth).mean == Approx(side.error.mean).margin(1e-6));
+  };
+  const EngineFilm conductor = *film_values("conductor_bsdf", surface).film;
+  const EngineFilm schlick = *film_values("generalized_schlick_bsdf", surface).film;
+  const EngineFilm adobe = *film_values("openpbr-adobe", surface).film;
+  for (const bool fitted : {false, true}) {
+    const auto side = [&](const EngineFilm& film) { return fitted ? film.fitted : *film.honest; };
+    misses("conductor_bsdf", side(conductor), {"ior", "extinction", "thinfilm_ior", "thinfilm_thickness"}, 1);
+    misses("generalized_schlick_bsdf", side(schlick),
+           {"color0", "color82", "thinfilm_ior", "thinfilm_thickness"}, 1);
+  }
+  CHECK(conductor.fitted.error.mean < 2);
+  CHECK(adobe.fitted.error.mean < adobe.honest->error.mean);
+  CHECK(color_in(conductor.fitted.fields, "roughness").size() == 1);
+}
+
+TEST_CASE("every target with a film tells honest and fitted fields, their errors, and which to use") {
+  for (const char* stack : {"anatase:40nm/titanium", "magnesium_fluoride:100nm/fused_silica"}) {
+    const ExportSurface surface = filmed_surface(stack);
+    for (const EngineTarget& target : engine_targets()) {
+      INFO(stack << " in " << target.id);
+      const EngineValues values = engine_values(target, surface);
+      CHECK(values.film.has_value() == !target.film_form(surface.kind).empty());
+      if (!values.film) continue;
+      REQUIRE(values.film->honest);
+      CHECK(values.fields == (values.film->use_honest ? *values.film->honest : values.film->fitted).fields);
+      const std::string json = export_json({{surface, "x", {values}}}, Fit::clamp, "p");
+      for (const char* member : {"\"film\": {", "\"honest\": {", "\"fitted\": {",
+                                 "\"mean\": ", "\"max\": ", "\"normal\": ", "\"use\": \""})
+        CHECK(contains(json, member));
+    }
+  }
+}
+
+TEST_CASE("a film thicker than a target takes is fitted within its range, and told") {
+  const EngineValues values = film_values("gltf", filmed_surface("fused_silica:2um/silicon"));
+  CHECK(
+      std::ranges::find(values.notes,
+                        "glTF KHR_materials_iridescence is fitted up to 1200 nm, and the film has 2000 nm") !=
+      values.notes.end());
+  CHECK(number_in(values.film->honest->fields, iridescence_prefix + "ThicknessMaximum") == 1200);
+}
+
+TEST_CASE("a film that absorbs is fitted, and told") {
+  const ExportSurface surface = filmed_surface("hematite:25nm/iron");
+  CHECK(std::ranges::any_of(
+      surface.notes, [](const std::string& note) { return note.starts_with("hematite absorbs (k up to"); }));
+  CHECK(film_values("gltf", surface).film->fitted.error.mean < 3);
+}
+
+TEST_CASE("a film on glass in a node for metals is F0 and F82 of the whole, and told") {
+  const EngineValues values =
+      film_values("conductor_bsdf", filmed_surface("magnesium_fluoride:100nm/fused_silica"));
+  CHECK_FALSE(values.film);
+  CHECK(values.notes.front() == "the node is made for metals: a dielectric has its surface alone");
+  CHECK(values.notes.back() == "no film is written: F0 and F82 are those of the whole");
+  const Vec3 whole = exact_stack("magnesium_fluoride:100nm/fused_silica")(1);
+  CHECK(f64::f0(field(values, "ior").values[1], field(values, "extinction").values[1]) ==
+        Approx(whole[1]).margin(1e-6));
+}
+
+TEST_CASE("a coat over layers is a layer: targets with a film are fitted to the whole, others get its F0") {
+  const ExportSurface surface = filmed_surface("pmma:2mm/anatase:40nm/titanium");
+  const EngineValues gltf = film_values("gltf", surface);
+  CHECK_FALSE(gltf.film->honest);
+  CHECK(gltf.film->fitted.error.mean < 5);
+  CHECK(std::ranges::find(
+            surface.notes,
+            "films of renderers are fitted: the forms have one film, and the stack has 2 layers") !=
+        surface.notes.end());
+  const Vec3 whole = exact_stack("pmma:2mm/anatase:40nm/titanium")(1);
+  CHECK(field(film_values("unreal", surface), "Base Color").values[0] == Approx(whole[0]).margin(1e-9));
 }

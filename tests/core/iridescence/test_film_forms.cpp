@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The forms that renderers have for films: compared with tests/data/film_forms.csv, which the published shader texts gave,
-// compiled as C++ in double: the glTF Sample Viewer 1.1.0 (npm @khronosgroup/gltf-viewer) and MaterialX 1.39.5. Inputs for which
-// MaterialX gives no number are not among them: an F82 that dips below 0 inside the film, whose root it takes.
+// compiled as C++ in double: the glTF Sample Viewer 1.1.0 (npm @khronosgroup/gltf-viewer), MaterialX 1.39.5, and Adobe's
+// openpbr-bsdf of 2026-08-04 (a29da969; openpbr_reflection_coefficient() at 620, 540 and 450 nm). Inputs for which MaterialX gives no number are not among them: an F82 that dips below 0 inside the film, whose root it takes.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -47,6 +47,8 @@ TEST_CASE(
   CHECK(seen == std::map<std::string, int>{{"conductor_bsdf", 1000},
                                            {"generalized_schlick_bsdf", 1000},
                                            {"gltf", 1000},
+                                           {"openpbr-adobe-dielectric", 1000},
+                                           {"openpbr-adobe-metal", 1000},
                                            {"openpbr-dielectric", 1000},
                                            {"openpbr-metal", 1000}});
 }
@@ -62,6 +64,17 @@ TEST_CASE("a film of no thickness leaves MaterialX's bases as they are bare") {
       CHECK(film_form("conductor_bsdf")->seen(index, cosine)[c] ==
             f64::fresnel_exact(index[c], index[c + 3], cosine));
     }
+}
+
+// Gulbrandsen's edge tint 1 is the least n that he allows, (1 - r) / (1 + r), not the edge of F82's tint 1.
+TEST_CASE("Adobe's film of the index of air takes F82's tint for the edge tint of Gulbrandsen") {
+  const double r = 0.9, n = (1 - r) / (1 + r),
+               k = std::sqrt((r * (n + 1) * (n + 1) - (n - 1) * (n - 1)) / (1 - r));
+  const FilmNumbers metal{r, r, r, 1, 1, 1, 1, 40, 1};
+  for (const double cosine : {1.0, f82_cosine})
+    CHECK(film_form("openpbr-adobe-metal")->seen(metal, cosine)[0] ==
+          Approx(f64::fresnel_exact(n, k, cosine)).epsilon(1e-12));
+  CHECK(f64::fresnel_exact(n, k, f82_cosine) > f64::f_f82_tint(r, 1, f82_cosine) + 0.01);
 }
 
 // MaterialX gives each polarisation half of the base's reflectance and takes the mean of both.
