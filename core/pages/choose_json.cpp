@@ -56,7 +56,8 @@ std::string one_choice_json(const Choice& each) {
                       {"filter_candidates", candidates_json(each.filter_candidates)},
                       {"integration_candidates", candidates_json(each.method_candidates)},
                       {"whole_model", json(each.whole_model)},
-                      {"model_candidates", candidates_json(each.model_candidates)}},
+                      {"model_candidates", candidates_json(each.model_candidates)},
+                      {"film_candidates", candidates_json(each.film_candidates)}},
                      4);
 }
 

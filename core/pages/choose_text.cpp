@@ -88,9 +88,12 @@ std::string choice_text(const std::vector<Choice>& choices, const CostTable& cos
     if (!one.method.empty()) append(out, "\n  integration  ", looked_at(one.method_candidates));
     append(out, "\n  whole models ",
            one.model_candidates.empty() ? "none is cheaper" : looked_at(one.model_candidates));
+    if (!one.film_candidates.empty()) append(out, "\n  in renderers ", looked_at(one.film_candidates));
     append(out, "\n");
     if (scene.empty())
-      append(out, "\nshader: etak shader ", line_text(one.material), " --model ", one.model, "\n");
+      append(out, "\nshader: etak shader ",
+             one.film_candidates.empty() ? line_text(one.material) : '\'' + line_text(one.library) + '\'',
+             " --model ", one.model, "\n");
   }
   append(
       out, "\nsaved: ", saved(choices), "\nbudget ", number(choices[0].budget, 6), " ", name(choices[0].unit),

@@ -93,7 +93,7 @@ void time_angle_curves(AngleCurves& curves) {
   constexpr std::size_t count = 4096, spectra = 64;
   const auto cosines = random_floats(count, 0, 1);
   // Values of an ordinary metal.
-  const std::array<float, 4> values{0.7f, 0.75f, 0.1f, 5.0f};
+  const std::array<float, most_form_numbers> values{0.7f, 0.75f, 0.1f, 5.0f};
   std::vector<float> floats(count);
   std::vector<std::function<void()>> bodies;
   for (const AngleCurve& curve : curves.forms)

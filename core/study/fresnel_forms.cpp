@@ -67,27 +67,25 @@ GridIndex relative_index(const OpticalConstants& optics, const OutsideMedium& ou
 
 // ---- fits: the numbers that a renderer is given for each channel
 
-FresnelValues per_channel(const FresnelTruth& truth,
-                          std::array<double, 4> (*fit)(const FresnelTruth&, std::size_t)) {
+FresnelValues per_channel(const FresnelTruth& truth, ChannelValues (*fit)(const FresnelTruth&, std::size_t)) {
   FresnelValues out{};
   for (std::size_t c = 0; c < 3; ++c) out[c] = fit(truth, c);
   return out;
 }
 
 FresnelValues fit_f0(const FresnelTruth& truth) {
-  return per_channel(truth,
-                     [](const FresnelTruth& t, std::size_t c) -> std::array<double, 4> { return {t.f0[c]}; });
+  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> ChannelValues { return {t.f0[c]}; });
 }
 
 FresnelValues fit_f82(const FresnelTruth& truth) {
-  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> std::array<double, 4> {
+  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> ChannelValues {
     return {t.f0[c], t.f82[c]};
   });
 }
 
 // Authors give F0 and tint in [0, 1], so both are clamped.
 FresnelValues fit_f82_tint(const FresnelTruth& truth) {
-  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> std::array<double, 4> {
+  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> ChannelValues {
     const double f0 = std::clamp(t.f0[c], 0.0, 1.0);
     return {f0, std::clamp(t.f82[c] / f64::f_schlick(t.f0[c], f82_cosine), 0.0, 1.0)};
   });
@@ -104,15 +102,32 @@ FresnelValues fit_index(const FresnelTruth& truth) {
 }
 
 FresnelValues fit_mean_index(const FresnelTruth& truth) {
-  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> std::array<double, 4> {
+  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> ChannelValues {
     return {t.mean_index[0][c], std::max(0.0, t.mean_index[1][c])};
   });
 }
 
 FresnelValues fit_three(const FresnelTruth& truth) {
-  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> std::array<double, 4> {
+  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> ChannelValues {
     return {t.three_wavelengths[0][c], t.three_wavelengths[1][c]};
   });
+}
+
+// F between the angles of the truth, which are even.
+FresnelValues fit_curve(const FresnelTruth& truth) {
+  const double last = static_cast<double>(truth.rgb.size() - 1);
+  const FresnelCurve curve = fitted_curve([&](double cosine) {
+    const double place = last * std::acos(std::min(cosine, 1.0)) / (std::numbers::pi / 2);
+    const auto at = std::min(static_cast<std::size_t>(place), truth.rgb.size() - 2);
+    Vec3 out{};
+    for (std::size_t c = 0; c < 3; ++c)
+      out[c] = std::lerp(truth.rgb[at][c], truth.rgb[at + 1][c], place - static_cast<double>(at));
+    return out;
+  });
+  FresnelValues out{};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < FresnelCurve::count; ++i) out[c][i] = curve.colors[i][c];
+  return out;
 }
 
 // Sum of squared errors of one channel, with equal weights for all angles. With the weights of a sphere,
@@ -146,7 +161,7 @@ double least_of(double low, double high, F f) {
 }
 
 FresnelValues fit_gulbrandsen(const FresnelTruth& truth) {
-  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> std::array<double, 4> {
+  return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> ChannelValues {
     const double r = t.f0[c];
     const double g = least_of(0, 1, [&](double edge) {
       return squared_error(t, c, [&](double cosine) { return in_double::f_gulbrandsen(r, edge, cosine); });
@@ -185,7 +200,8 @@ FresnelValues fit_lazanyi(const FresnelTruth& truth) {
 
 template <float (*F)(const float*, float)>
 void many(const float* p, const float* c, float* out, std::size_t count) {
-  const std::array<float, 4> own{p[0], p[1], p[2], p[3]};  // `out` cannot alias a copy: it stays in registers
+  std::array<float, most_form_numbers> own{};  // `out` cannot alias a copy: it stays in registers
+  std::copy_n(p, own.size(), own.begin());
   for (std::size_t i = 0; i < count; ++i) out[i] = F(own.data(), c[i]);
 }
 
@@ -204,11 +220,18 @@ constexpr FresnelForm rows[] = {
     ETAK_ROW(index, "exact, n and k from F0 and F82", true, fit_index),
     ETAK_ROW(mean_index, "exact, averaged n and k", true, fit_mean_index),
     ETAK_ROW(three_wavelengths, "exact, n and k at 611, 549, 464 nm", true, fit_three),
+    ETAK_ROW(curve, "curve of 16 colours", true, fit_curve),
     ETAK_ROW(hidden, "K / (l h) of Optimized", false, fit_f0),
 };
 #undef ETAK_ROW
 
 }  // namespace
+
+std::array<float, most_form_numbers> single_values(const ChannelValues& values) {
+  std::array<float, most_form_numbers> out{};
+  std::ranges::transform(values, out.begin(), [](double each) { return static_cast<float>(each); });
+  return out;
+}
 
 std::span<const FresnelForm> fresnel_forms() {
   return rows;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/fresnel/curve.h"
 #include "core/material/f0.h"
 #include "core/material/material.h"
 #include "core/math/mat3.h"
@@ -53,8 +54,12 @@ class SeenFresnel {
 FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double step_deg = 0.25,
                            const F0Options& seen = {});
 
-/// Up to four numbers for each channel, as a renderer gives them to a form.
-using FresnelValues = std::array<std::array<double, 4>, 3>;
+/// The numbers of a form, as a renderer gives them to it: those of a curve, four at most of the others.
+inline constexpr std::size_t most_form_numbers = FresnelCurve::count;
+using ChannelValues = std::array<double, most_form_numbers>;
+using FresnelValues = std::array<ChannelValues, 3>;
+/// Those of one channel in float, as FresnelForm::many takes them.
+std::array<float, most_form_numbers> single_values(const ChannelValues& values);
 
 /// A form of Fresnel reflectance that a shader can have.
 struct FresnelForm {
@@ -64,7 +69,7 @@ struct FresnelForm {
   FresnelValues (*fit)(const FresnelTruth& truth);
   /// F for the numbers of one channel and a cosine of incidence, in double.
   double (*value)(const double* p, double c);
-  /// F for `count` cosines in float, for timing. It is compiled from the formula text that shaders get.
+  /// F for `count` cosines in float and single_values(), for timing. It is compiled from the formula text that shaders get.
   void (*many)(const float* p, const float* c, float* out, std::size_t count);
 };
 std::span<const FresnelForm> fresnel_forms();

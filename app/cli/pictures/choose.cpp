@@ -90,7 +90,7 @@ void choose_for_library(ChooseArguments& arguments, const ChooseOptions& options
   std::vector<std::string> refused, standards;
   for (std::size_t i = 0; i < library.ids().size(); ++i) {
     const Material material = library.at(i);
-    if (!std::holds_alternative<OpticalConstants>(material.preferred_dataset().optics)) {
+    if (std::holds_alternative<Reflectance>(material.preferred_dataset().optics)) {
       ++reflectances;
       --total;
       continue;

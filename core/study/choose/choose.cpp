@@ -38,6 +38,15 @@ bool needs_f0_alone(const FresnelForm& form) {
          form.id == "from_f0" || form.id == "by_f0";
 }
 
+// Whether the form can be fitted to what is known of F: of layers together there are no n and k of every wavelength, and a
+// curve is for those whose F no other form has.
+bool can_be(const FresnelForm& form, const ChooseSubject& subject) {
+  if (!form.physical) return false;
+  if (!subject.dataset) return needs_f0_alone(form);
+  const bool of_spectrum = form.id == "mean_index" || form.id == "three_wavelengths";
+  return subject.stack() ? !of_spectrum : form.id != "curve";
+}
+
 // The form's numbers in the order of the model's parameters: three channels of each, then the width.
 std::vector<double> model_numbers(const Model& model, const FresnelValues& values, double alpha) {
   std::vector<double> out;
@@ -74,7 +83,7 @@ class Judge {
     everything_.filter = full_filter(subject);
     judge_.emplace(unit, pictures_.draw(everything_));
     if (subject.dataset)
-      truths_ = {fresnel_truth(std::get<OpticalConstants>(subject.dataset->optics), subject.library)};
+      truths_ = {fresnel_truth(subject.dataset->optics, subject.library)};
     else if (subject.texture)
       for (const Vec3& f0 : subject.texture->some_f0(most_f0)) truths_.push_back(colour_truth(f0));
     else
@@ -112,7 +121,7 @@ class Judge {
 
   /// The simplest form that equals "everything" for the spectrum, or for the colours of F0 that occur.
   std::string_view full_form() const {
-    if (subject_.dataset) return "index";
+    if (subject_.dataset) return subject_.stack() ? "curve" : "index";
     bool low = false, high = false;
     for (const FresnelTruth& truth : truths_)
       for (const double f0 : truth.f0) (f0 < forbidden_zone_first ? low : high) = true;
@@ -159,8 +168,7 @@ FresnelStep choose_fresnel(const Judge& judge, double limit) {
   const bool spectrum = judge.subject().dataset.has_value();
   std::vector<std::pair<double, TriedForm>> ranked;
   for (const FresnelForm& form : fresnel_forms())
-    if (form.physical && (spectrum || needs_f0_alone(form)))
-      ranked.push_back({judge.cost("fresnel/", form.id), {&form}});
+    if (can_be(form, judge.subject())) ranked.push_back({judge.cost("fresnel/", form.id), {&form}});
   FresnelStep out;
   std::optional<Tried<TriedForm>> closest;
   auto found = cheapest_within(ranked, same_cost, out.candidates, [&](const TriedForm& item, double cost) {
@@ -368,6 +376,29 @@ void take_whole_model(const Judge& judge, Look look, const FresnelStep& fresnel,
   out.chosen_ns += found->candidate.cost_ns - replaced;
 }
 
+// Films as renderers have them, each by the numbers that are advised, at the angles of the truth but 90 degrees.
+std::vector<Candidate> films_of(const Judge& judge, double budget) {
+  std::vector<Candidate> out;
+  const ChooseSubject& subject = judge.subject();
+  if (!subject.stack()) return out;
+  const FilmFits fits(*subject.stack(), subject.base, {});
+  for (const FilmForm* form : film_forms()) {
+    if (!form->has_film() || !form->has(subject.base)) continue;
+    const FilmInForm& in = *fits.in(form->id);
+    Candidate one{std::string(form->id),
+                  std::string(form->title) + (in.use_honest() ? ", honest" : ", fitted"),
+                  judge.cost("film/", form->id), 0, false};
+    for (std::size_t i = 0; i < judge.truth().cosine.size(); ++i)
+      if (const double cosine = judge.truth().cosine[i]; cosine > 0)
+        one.error = std::max(
+            one.error, difference(judge.unit(), form->seen(in.used().numbers, cosine), judge.truth().rgb[i]));
+    one.within = one.error <= budget;
+    out.push_back(std::move(one));
+  }
+  std::ranges::stable_sort(out, {}, &Candidate::cost_ns);
+  return out;
+}
+
 double evaluation_cost(const Judge& judge, std::string_view form, std::string_view visibility,
                        TextureFilter filter, int textures) {
   return judge.cost("fresnel/", form) + judge.cost("visibility/", visibility) +
@@ -424,6 +455,7 @@ Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const 
       evaluation_cost(judge, judge.full_form(), full_visibility, full_filter(subject), textures_of_pair);
   out.chosen_ns = evaluation_cost(judge, out.fresnel->id, out.visibility, out.filter, out.textures);
   if (out.met) take_whole_model(judge, chosen, fresnel, out);
+  out.film_candidates = films_of(judge, options.budget);
   return out;
 }
 

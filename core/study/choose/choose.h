@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/iridescence/parameters.h"
 #include "core/material/material.h"
 #include "core/study/choose/texture_filter.h"
 #include "core/study/fresnel_forms.h"
@@ -49,15 +50,17 @@ double difference(ErrorUnit unit, const Vec3& linear_a, const Vec3& linear_b);
 /// A material to choose for: a surface of one texel, or of a texture pair.
 struct ChooseSubject {
   std::string name;     // of the material, in its scene or in the library
-  std::string library;  // "gold/johnson_1972": its spectrum is known; empty: only a colour of F0 is known
-  std::optional<Dataset> dataset;  // that `library` names
-  SurfaceTexel texel;              // where there is no texture; with a `dataset` its f0 is ignored
+  std::string library;  // "gold/johnson_1972", or layers: its spectrum is known; empty: only F0's colour
+  std::optional<Dataset> dataset;   // that `library` names: n and k, or a stack of layers
+  FilmBase base = FilmBase::metal;  // of a stack
+  SurfaceTexel texel;               // where there is no texture; with a `dataset` its f0 is ignored
   std::shared_ptr<const TexelChain> texture;
   bool mipmaps = true;  // the texture's sampler reads mips
 
   bool textured() const { return texture && !texture->constant(); }
+  const Stack* stack() const { return dataset ? std::get_if<Stack>(&dataset->optics) : nullptr; }
 };
-/// A material of the library without textures. Throws Error for a dataset without n and k.
+/// A material of the library without textures. Throws Error for reflectance at normal incidence alone.
 ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss);
 /// A material of the library with the given gloss, else with the default gloss of its class.
 ///   remarks   gets what is to be said of the gloss
@@ -102,7 +105,9 @@ struct Choice {
   double everything_solve_ns = 0, chosen_solve_ns = 0;  // F0, for one spectrum
   std::vector<Candidate> fresnel_candidates, visibility_candidates, filter_candidates, method_candidates;
   std::vector<Candidate>
-      model_candidates;              // whole models that are cheaper than the chosen form of F and masking
+      model_candidates;  // whole models that are cheaper than the chosen form of F and masking
+  std::vector<Candidate>
+      film_candidates;  // of a stack: films as renderers have them, which take the place of all this
   std::vector<std::string> defines;  // of the specialised shader: shading_defines() in core/atlas/variant.h
 };
 
@@ -126,6 +131,8 @@ void validate(const ChooseOptions& options);
 /// angle too, but where it is hidden in the lobe (Optimized). Throws Error for data without a colour or
 /// without n and k. Where no form of F stays within the budget, the closest one is chosen and `met` is false;
 /// the other choices then stay within the error of that form.
+/// Of a stack of layers F over the angle is a curve of colours, F82 or another form that F0 and F82 tell; beside them are
+/// the films of renderers (core/iridescence), each with the numbers that its advice names.
 Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs);
 
 /// The choices for subjects, which do not depend on each other, on `threads` threads. Where several fail, the

@@ -134,7 +134,7 @@ const std::vector<Vec3>& ChoosePictures::fresnel_of(const Look& look) const {
       Vec3 f = light.spectral_f;
       if (look.form != nullptr)
         for (std::size_t c = 0; c < 3; ++c) {
-          std::array<double, 4> p = look.values[c];
+          ChannelValues p = look.values[c];
           if (f0_varies_) p[0] = pixel.texel.f0[c];
           f[c] = look.form->value(p.data(), light.lh);
         }

@@ -39,9 +39,10 @@ void add_spectrum(const ManifestMaterial& m, const MaterialLibrary& library, Cho
   const auto* source = m.specular ? std::get_if<LibrarySource>(&*m.specular) : nullptr;
   if (source == nullptr || !source->outside.empty()) return;
   const FoundDataset found = find_dataset(library, source->material, source->dataset, {});
-  if (!std::holds_alternative<OpticalConstants>(found.chosen().optics)) return;
-  out.library = found.material.id + "/" + found.chosen().id;
+  if (std::holds_alternative<Reflectance>(found.chosen().optics)) return;
   out.dataset = found.chosen();
+  out.library = out.stack() ? out.stack()->text : found.material.id + "/" + found.chosen().id;
+  out.base = film_base(found.material.material_class);
 }
 
 }  // namespace

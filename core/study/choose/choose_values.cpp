@@ -67,12 +67,13 @@ double lobe_alpha(const SurfaceTexel& texel) {
 
 ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss) {
   const std::string what = material.id + "/" + dataset.id;
-  if (!std::holds_alternative<OpticalConstants>(dataset.optics))
+  if (std::holds_alternative<Reflectance>(dataset.optics))
     throw Error::at(what, without_constants(dataset.optics), "n and k");
   ChooseSubject out;
   out.name = material.id;
-  out.library = what;
   out.dataset = dataset;
+  out.library = out.stack() ? out.stack()->text : what;
+  out.base = film_base(material.material_class);
   out.texel.gloss = gloss;
   return out;
 }

@@ -24,6 +24,7 @@ namespace {
 constexpr std::size_t count = 4096;
 constexpr std::size_t rounds = 200;
 constexpr int png_side = 128;
+constexpr double timed_film_nm = 100;
 // 2 ms for each repeat: bursts of other programs last longer, so that some repeats lie between them.
 constexpr double seconds_a_case = 0.4;
 
@@ -140,8 +141,7 @@ CostTable measure_costs(std::string_view header,
     const FresnelTruth truth = fresnel_truth(optics, material->id);
     for (const FresnelForm& form : fresnel_forms()) {
       const auto values = form.fit(truth);
-      std::array<float, 4> p{};
-      for (std::size_t i = 0; i < 4; ++i) p[i] = static_cast<float>(values[1][i]);
+      const auto p = single_values(values[1]);
       cases.push_back({"fresnel/" + std::string(form.id), count,
                        [&form, p, cosines, out = std::make_shared<std::vector<float>>(count)] {
                          form.many(p.data(), cosines->data(), out->data(), count);
@@ -164,6 +164,20 @@ CostTable measure_costs(std::string_view header,
                        constexpr FresnelValues index{{{0.2, 3, 0, 0}, {0.4, 2.4, 0, 0}, {1.4, 1.8, 0, 0}}};
                        batch->run(*model, whole_model_numbers(*model, {0.9, 0.8, 0.4}, index, {{}, {}, 0.4}));
                      }});
+  // Films of renderers give three channels at once, in double: of such a time each has a third.
+  for (const FilmForm* form : film_forms()) {
+    if (!form->has_film()) continue;
+    FilmNumbers numbers{};
+    for (std::size_t i = 0; i < form->numbers.size(); ++i)
+      numbers[i] = (form->numbers[i].least + form->numbers[i].most) / 2;
+    numbers[form->index + 1] = timed_film_nm;
+    cases.push_back({"film/" + std::string(form->id), 3 * count, [form, numbers, cosines] {
+                       double sum = 0;
+                       for (const float cosine : *cosines)
+                         sum += form->seen(numbers, std::max(double{cosine}, 1e-3))[1];
+                       keep(&sum);
+                     }});
+  }
   for (const Method method : all_methods) {
     F0Options options;
     options.method = method;

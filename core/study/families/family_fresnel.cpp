@@ -71,8 +71,7 @@ std::vector<TimedCase> timed_forms(const FresnelTruth& truth) {
     // time, not in the plot.
     if (!form.physical) continue;
     const auto values = form.fit(truth);
-    std::array<float, 4> p{};
-    for (std::size_t i = 0; i < 4; ++i) p[i] = static_cast<float>(values[0][i]);
+    const auto p = single_values(values[0]);
     cases.push_back({std::string(form.id), cosines->size(),
                      [&form, p, cosines, out = std::make_shared<std::vector<float>>(cosines->size())] {
                        form.many(p.data(), cosines->data(), out->data(), cosines->size());

@@ -14,6 +14,7 @@
 #include "core/brdf/models.h"
 #include "core/color/delta_e.h"
 #include "core/material/library.h"
+#include "core/material/seen_stack.h"
 #include "core/pages/choose_report.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/reference.h"
@@ -404,4 +405,48 @@ TEST_CASE("a material without a given gloss is compared with that of its class, 
   REQUIRE(remarks.size() == 1);
   CHECK(remarks[0].starts_with("gold: "));
   CHECK(subject.texel.gloss >= 0);
+}
+
+TEST_CASE("a stack is weighed as a curve, as F82 and as the films of renderers, by error and cost") {
+  const Material stack = *MaterialLibrary::builtin().find("anatase:40nm/titanium");
+  const ChooseSubject subject = library_subject(stack, stack.preferred_dataset(), Gloss(0.75));
+  const Choice near = choose(subject, {0.1, ErrorUnit::delta_e}, shipped_costs());
+  CHECK(near.met);
+  CHECK(near.fresnel->id == "curve");
+  CHECK(near.model == "microfacet:ggx,curve," + near.visibility);
+  CHECK(near.model_values.size() == 3 * FresnelCurve::count + 1);
+  // The curve that is drawn is the stack, by the exact sums.
+  const SeenStack seen(std::get<Stack>(stack.preferred_dataset().optics));
+  for (const double cosine : {1.0, 0.6, 0.2}) {
+    FresnelCurve drawn;
+    for (std::size_t i = 0; i < FresnelCurve::count; ++i)
+      for (std::size_t c = 0; c < 3; ++c) drawn.colors[i][c] = near.model_values[3 * i + c];
+    CHECK(difference(ErrorUnit::delta_e, drawn.at(cosine), seen(cosine)) < 0.1);
+  }
+  // A wider budget takes what costs less.
+  const Choice far = choose(subject, {30, ErrorUnit::delta_e}, shipped_costs());
+  CHECK(far.met);
+  CHECK(far.chosen_ns < near.chosen_ns);
+  std::vector<std::string> films;
+  for (const Candidate& each : near.film_candidates) {
+    films.push_back(each.id);
+    CHECK(each.cost_ns == shipped_costs().of("film/" + each.id));
+    CHECK(each.within == (each.error <= 0.1));
+    const FilmForm& form = *film_form(each.id);
+    const FilmParameters told = film_parameters(std::get<Stack>(stack.preferred_dataset().optics),
+                                                FilmBase::metal, {}, std::array{&form});
+    CHECK(each.error >=
+          difference(ErrorUnit::delta_e, form.seen(told.forms[0].used().numbers, 0.5), seen(0.5)) - 1e-3);
+  }
+  std::ranges::sort(films);
+  CHECK(films == std::vector<std::string>{"conductor_bsdf", "generalized_schlick_bsdf", "gltf",
+                                          "openpbr-adobe-metal", "openpbr-metal"});
+}
+
+TEST_CASE("materials without layers are weighed without curves and films") {
+  const Material gold = *MaterialLibrary::builtin().find("gold");
+  const Choice choice = choose(library_subject(gold, gold.preferred_dataset(), Gloss(0.75)),
+                               {0.001, ErrorUnit::delta_e}, shipped_costs());
+  CHECK(choice.film_candidates.empty());
+  for (const Candidate& each : choice.fresnel_candidates) CHECK(each.id != "curve");
 }
