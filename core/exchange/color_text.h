@@ -40,6 +40,28 @@ inline std::string blender_text(const LinearRgb& c) {
   return "(" + three(c, ", ") + ", 1.0)";
 }
 
+inline std::string vector_text(const LinearRgb& c) {
+  return "(" + three(c, ", ") + ")";
+}
+
+inline std::string hlsl_text(const LinearRgb& c) {
+  return "float3(" + three(c, ", ") + ")";
+}
+
+inline std::string c_text(const LinearRgb& c) {
+  return "{" + three(c, "f, ") + "f}";
+}
+
+// Godot's colours are encoded as sRGB is.
+inline std::string godot_text(const LinearRgb& c) {
+  return "Color(" + three({srgb_encode(c.r), srgb_encode(c.g), srgb_encode(c.b)}, ", ") + ")";
+}
+
+// Numbers of three.js are linear.
+inline std::string threejs_text(const LinearRgb& c) {
+  return "new THREE.Color(" + three(c, ", ") + ")";
+}
+
 inline std::string hex_text(const LinearRgb& c) {
   return hex(srgb_u8(c));
 }

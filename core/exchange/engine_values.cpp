@@ -23,13 +23,19 @@ struct EmissionField {
 };
 constexpr EmissionField emission_fields[] = {
     {"linear", "emission", nullptr, plain_text},
-    {"glsl", "emission", nullptr, glsl_text},
     {"unreal", "Emissive Color", nullptr, unreal_text},
+    {"unreal-substrate", "Emissive Color", nullptr, unreal_text},
     {"unity-metallic", "Emission", "Emission intensity", hex_text},
     {"unity-specular", "Emission", "Emission intensity", hex_text},
+    {"unity-hdrp", "Emission Color", "Emission Intensity", hex_text},
     {"blender", "Emission Color", "Emission Strength", blender_text},
     {"filament", "emissive", nullptr, plain_text},
     {"openpbr", "emission_color", "emission_luminance", plain_text},
+    {"standard-surface", "emission_color", "emission", plain_text},
+    {"godot", "emission", "emission_energy_multiplier", godot_text},
+    {"threejs", "emissive", "emissiveIntensity", threejs_text},
+    {"usd", "emissiveColor", nullptr, plain_text},
+    {"gltf-pbr", "emissive", "emissive_strength", plain_text},
     {"gltf", "emissiveFactor", "KHR_materials_emissive_strength.emissiveStrength", plain_text},
     {"gltf-specular-glossiness", "emissiveFactor", "KHR_materials_emissive_strength.emissiveStrength",
      plain_text}};
@@ -42,8 +48,9 @@ void add_emission(const TargetJob& j) {
     if (each.strength == nullptr) return j.add(each.color, emission, each.text);
     const auto [color, strength] = emission_parts(emission);
     j.add(each.color, color, each.text);
-    // OpenPBR's luminance is 0 where nothing is said; the strength of the others is 1.
-    if (strength != 1 || each.target == "openpbr") j.add(each.strength, strength);
+    // OpenPBR's luminance and Standard Surface's emission are 0 where nothing is said; the strength of the others is 1.
+    if (strength != 1 || each.target == "openpbr" || each.target == "standard-surface")
+      j.add(each.strength, strength);
     return;
   }
   j.note("no field for the emission " + plain_text(emission) + " (radiance, linear)");
@@ -77,6 +84,8 @@ void tell_film(const EngineTarget& target, const ExportSurface& surface, Fit fit
   film.use_honest = in.use_honest();
   film.advice = in.advice();
   if (!in.note.empty()) out.notes.push_back(in.note);
+  out.error = in.used().error;
+  out.error_reason.clear();
   out.notes.push_back(film.advice);
 }
 
@@ -109,21 +118,24 @@ EngineValues engine_values(const EngineTarget& target, const ExportSurface& surf
   const TargetJob job{used, fit, out};
   write_target(target, job);
   add_emission(job);
+  for (const TargetRow* row : rows)
+    if (row->target.id == target.id && row->body != nullptr) out.body = row->body(used, out);
   if (surface.film) tell_film(target, surface, fit, out);
+  if (!out.error && out.error_reason.empty()) out.error_reason = target.unstated;
+  return out;
+}
+
+std::string body_text(const EngineValues& values) {
+  if (!values.body.empty()) return values.body;
+  if (values.fields.size() == 1) return values.fields.front().text;
+  std::string out;
+  for (const EngineField& field : values.fields) out += field.name + ": " + field.text + '\n';
   return out;
 }
 
 std::string copy_text(const EngineValues& values) {
-  if (values.fields.size() == 1) return values.fields.front().text;
-  std::string out;
-  for (const EngineField& field : values.fields) {
-    if (values.target == "glsl")
-      out += std::string("const ") + (field.values.size() == 3 ? "vec3 " : "float ") + field.name + " = " +
-             field.text + ";\n";
-    else
-      out += field.name + ": " + field.text + '\n';
-  }
-  return out;
+  const EngineTarget& target = *engine_target(values.target);
+  return std::string(target.opens) + body_text(values) + std::string(target.closes);
 }
 
 }  // namespace etak

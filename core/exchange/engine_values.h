@@ -18,21 +18,27 @@ namespace etak {
 // Kutz et al. 2021 (F82 tint); Gulbrandsen 2014. Unity and Blender as their programs behave.
 
 /// A program or format that values are written for.
+///   version    of the program, format or formula that the values are for
+///   formula    the published F over the angle by which the error of the values is computed; empty: there is none, and
+///              `unstated` says why
 ///   film_on_metal, film_on_dielectric   forms of core/iridescence; targets without are given F0 and F82 of the whole
+///   opens, closes   of a text that is a document: what stands once before and behind all materials
+///   comment         how a line begins that is a comment
 ///   has_coat   whether it draws a clear coat; others are given the whole of base and coat, and a note says so
 struct EngineTarget {
-  std::string_view id, title;
+  std::string_view id, title, version, formula = {}, unstated = {};
   bool has_coat = false;
   std::string_view film_on_metal = {}, film_on_dielectric = {};
+  std::string_view opens = {}, closes = {}, comment = "# ";
 
+  bool is_document() const { return !opens.empty(); }
   /// The form of its film; empty: it has none on that base.
   std::string_view film_form(SurfaceKind kind) const {
     return kind == SurfaceKind::metal ? film_on_metal : film_on_dielectric;
   }
 };
 
-/// hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, openpbr-adobe, gltf,
-/// gltf-specular-glossiness, gulbrandsen, rgb-nk, conductor_bsdf, generalized_schlick_bsdf: in this order.
+/// In the order of targets/targets.inc.
 std::span<const EngineTarget> engine_targets();
 const EngineTarget* engine_target(std::string_view id);
 
@@ -67,8 +73,12 @@ struct EngineValues {
   std::string_view target;  // id
   std::vector<EngineField> fields;
   std::optional<EngineFilm> film = {};  // of a stack, where the target has a film
+  std::optional<FilmError> error =
+      {};                    // of F over the angle, by the target's formula, to that of the exact material
+  std::string error_reason;  // where there is no error: why
   Changes changes;
   std::vector<std::string> notes;
+  std::string body = {};  // of targets whose text is more than their fields: the text of this material
   friend bool operator==(const EngineValues&, const EngineValues&) = default;
 };
 
@@ -76,8 +86,11 @@ struct EngineValues {
 ///   surface   valid, linear sRGB (throws Error otherwise)
 EngineValues engine_values(const EngineTarget& target, const ExportSurface& surface, Fit fit = Fit::clamp);
 
-/// What goes to the clipboard: the text of the only field; GLSL constants; else "name: text" a line.
+/// What goes to the clipboard: the whole document of one material; constants of a language; the text of the only field; else
+/// "name: text" a line.
 std::string copy_text(const EngineValues& values);
+/// The same without what opens and closes a document.
+std::string body_text(const EngineValues& values);
 
 // The values of two of the targets, for those who write them into files.
 
@@ -143,6 +156,7 @@ struct GltfMaterialValues {
   double glossiness = 0;              // 1 - roughness
   double transmission = 0;  // KHR_materials_transmission: 1 of a clear body, not of specular-glossiness
   std::optional<ClearBody> volume;  // KHR_materials_volume of it
+  double dispersion = 0;            // KHR_materials_dispersion of it: 20 / V_d; 0 where that is not known
   bool specular_glossiness = false;
   double iridescence = 0, iridescence_ior = 1.3, iridescence_nm = 0;  // KHR_materials_iridescence, of a stack
   double clearcoat =

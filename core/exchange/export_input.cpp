@@ -66,12 +66,17 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
     }
     surface.coat = export_coat(*wishes.coat, coat);
     surface.notes.push_back(coat_note(*surface.coat));
+    surface.seen.reset();
+    surface.unseen = "with a coat it is not computed";
   }
   surface.opacity = wishes.opacity;
   surface.emission = wishes.emission;
-  if (wishes.axis_average && !dataset.axis.empty())
+  if (wishes.axis_average && !dataset.axis.empty()) {
     surface.notes.push_back("F0 is the average over the axes of the crystal, " + dataset.id +
                             " and its others");
+    surface.seen.reset();
+    surface.unseen = "F0 is an average over axes";
+  }
   validate(surface);
   if (!input.alias_note.empty()) surface.notes.push_back(input.alias_note);
   if (wishes.diffuse && surface.diffuse != diffuse)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -12,6 +13,7 @@
 #include "core/material/appearance.h"
 #include "core/material/optics_class.h"
 #include "core/material/quality.h"
+#include "core/material/seen_stack.h"
 
 namespace etak {
 namespace {
@@ -54,6 +56,30 @@ void take_clarity(const Material& material, const Clarity& body, ExportSurface& 
   out.notes.push_back("the body is clear: " + body.reason);
   if (material.material_class == "gas")
     out.notes.emplace_back("a gas has no surface of its own: the index alone is of use");
+}
+
+// The exact F over the angle: the spectra of n and k, or of a stack, summed to colours at each angle.
+void take_seen(const Dataset& dataset, const F0Options& options, ExportSurface& out) {
+  const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
+  if (options.space != RgbSpace::srgb || options.custom_space) {
+    out.unseen = "errors are computed in linear sRGB";
+    return;
+  }
+  if (const auto* stack = std::get_if<Stack>(&dataset.optics)) {
+    const SeenStack seen(*stack, options);
+    out.seen = film_truth(std::cref(seen));
+  } else if (constants != nullptr) {
+    const Stack bare{dataset.id, {{dataset.id, dataset.id, {}, *constants}}, {}, 0};
+    const SeenStack seen(bare, options);
+    out.seen = film_truth(std::cref(seen));
+    const FilmSpectra& grid = seen.spectra();
+    for (std::size_t i = 0; i < grid.wavelength_nm.size(); ++i)
+      if (std::fmod(grid.wavelength_nm[i], 5) == 0)
+        out.spectrum.push_back(
+            {grid.wavelength_nm[i], grid.base.n[i], grid.base.k.empty() ? 0 : grid.base.k[i]});
+  } else {
+    out.unseen = "the data are reflectance at normal incidence";
+  }
 }
 
 void take_film(const Stack& stack, const Material& material, const F0Options& options, ExportSurface& out) {
@@ -104,12 +130,14 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
         setting("material-class") + " metal, semiconductor, surface, ...");
   if (kind == "surface") {
     take_total(result.linear, out);
+    out.unseen = "a measured total tells no F over the angle";
   } else {
     out.kind = kind == "dielectric" ? SurfaceKind::dielectric : SurfaceKind::metal;
     out.f0 = result.linear;
     out.f82 = result.f82;
     if (out.kind == SurfaceKind::dielectric) out.diffuse = diffuse;
     if (const auto* stack = std::get_if<Stack>(&dataset.optics)) take_film(*stack, material, options, out);
+    take_seen(dataset, options, out);
     if (!result.f82) out.notes.emplace_back("no edge is known: the data are reflectance at normal incidence");
     if (out.kind == SurfaceKind::dielectric && out.diffuse == LinearRgb{})
       take_clarity(material, clarity(material, dataset, options.space), out);

@@ -50,6 +50,12 @@ struct ExportFilm {
   friend bool operator==(const ExportFilm&, const ExportFilm&) = default;
 };
 
+/// n and k at a wavelength.
+struct IndexSample {
+  double nm = 0, n = 1, k = 0;
+  friend bool operator==(const IndexSample&, const IndexSample&) = default;
+};
+
 /// A surface to export: Schueler's four parameters, what is known of its edge and of its body.
 struct ExportSurface {
   std::string id;      // "gold": what it is called in files
@@ -64,11 +70,17 @@ struct ExportSurface {
   std::optional<ClearBody> clear;   // of a dielectric without diffuse
   std::optional<ExportCoat> coat;   // f0 and f82 are those of the base without it
   std::optional<ExportFilm> film;   // of a stack: f0 and f82 are those of layers and base together
-  std::optional<double> ior;        // of the body, where f0 is not that of its surface in air
-  Gloss gloss = 0.75;               // how rough: Schueler's gloss or perceptual roughness, [0, 1]
-  double opacity = 1;               // [0, 1]
-  LinearRgb emission{0, 0, 0};      // radiance that the surface sends out by itself, >= 0
-  std::vector<std::string> notes;   // what was assumed, and what is against the data
+  std::optional<FilmTruth> seen;    // the exact F over the angle, F0's spectra and medium outside
+  std::string unseen = "no spectra are behind it";  // where that is not known: why
+  std::vector<IndexSample>
+      spectrum;               // n and k against vacuum, 360 to 830 nm in steps of 5; empty: of no one medium
+  std::string node;           // what it is called in a document, where that is not its id
+  std::optional<double> ior;  // of the body, where f0 is not that of its surface in air
+  Gloss gloss = 0.75;         // how rough: Schueler's gloss or perceptual roughness, [0, 1]
+  double opacity = 1;         // [0, 1]
+  LinearRgb emission{0, 0, 0};     // radiance that the surface sends out by itself, >= 0
+  std::vector<std::string> notes;  // what was assumed, and what is against the data
+  const std::string& node_name() const { return node.empty() ? id : node; }
   friend bool operator==(const ExportSurface&, const ExportSurface&) = default;
 };
 

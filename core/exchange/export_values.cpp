@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/json/json_text.h"
@@ -12,6 +13,7 @@
 #include "core/base/text/csv.h"
 #include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
+#include "core/exchange/material_x.h"
 
 namespace etak {
 namespace {
@@ -51,10 +53,23 @@ std::string json_film(const EngineFilm& film) {
                      9);
 }
 
+std::string json_error(const std::optional<FilmError>& error) {
+  if (!error) return "null";
+  return json_object(
+      {{"mean", json(error->mean)}, {"max", json(error->largest)}, {"normal", json(error->normal)}}, -1);
+}
+
 std::string json_target(const EngineValues& values) {
+  const EngineTarget& target = *engine_target(values.target);
+  std::vector<JsonMember> error{{"error", json_error(values.error)}};
+  if (!values.error) error.push_back({"error_reason", json(values.error_reason)});
   std::vector<JsonMember> last{{"notes", json_array_of(values.notes)}, {"copy", json(copy_text(values))}};
   if (values.film) last.insert(last.begin(), {"film", json_film(*values.film)});
-  return json_rows({{{"id", json(values.target)}, {"title", json(engine_target(values.target)->title)}},
+  return json_rows({{{"id", json(values.target)},
+                     {"title", json(target.title)},
+                     {"version", json(target.version)},
+                     {"formula", target.formula.empty() ? "null" : json(target.formula)}},
+                    error,
                     {{"fields", json_lines_of(values.fields, 9, json_field)}},
                     {{"changes", json_lines_of(values.changes, 9, json_change)}},
                     last},
@@ -135,6 +150,12 @@ std::vector<ExportedValues> exported_values(std::vector<ExportSurface> surfaces,
                                             const std::vector<const EngineTarget*>& targets, Fit fit,
                                             unsigned threads) {
   std::vector<ExportedValues> out(surfaces.size());
+  std::set<std::string> taken;  // names in documents
+  for (ExportSurface& surface : surfaces) {
+    const std::string first = identifier(surface.id);
+    surface.node = first;
+    for (int i = 2; !taken.insert(surface.node).second; ++i) surface.node = first + '_' + std::to_string(i);
+  }
   parallel_chunks(out.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) {
       out[i] = {std::move(surfaces[i]), datasets[i], {}};
@@ -143,6 +164,15 @@ std::vector<ExportedValues> exported_values(std::vector<ExportSurface> surfaces,
     }
   });
   return out;
+}
+
+std::string error_line(const EngineValues& values) {
+  const EngineTarget& target = *engine_target(values.target);
+  if (!values.error)
+    return target.formula.empty() && !target.is_document() ? "" : "error not stated: " + values.error_reason;
+  const FilmError& e = *values.error;
+  return "error: dE2000 " + number(e.mean, 2) + " on the mean over angles, " + number(e.largest, 2) +
+         " at most, " + number(e.normal, 2) + " at normal incidence";
 }
 
 std::string export_table(const std::vector<ExportedValues>& all) {
@@ -160,6 +190,7 @@ std::string export_table(const std::vector<ExportedValues>& all) {
            ", alpha " + number(s.gloss.alpha(), 4) + ", roughness " + number(s.gloss.roughness(), 4) +
            (s.coat ? ", coat " + line_text(s.coat->label) : "") + '\n';
     for (const std::string& note : s.notes) out += "  note: " + line_text(note) + '\n';
+    if (!s.seen && !s.film) out += "  error not stated: " + line_text(s.unseen) + '\n';
     for (const EngineValues& values : each.targets) {
       bool first = true;
       for (const EngineField& f : values.fields) {
@@ -170,15 +201,30 @@ std::string export_table(const std::vector<ExportedValues>& all) {
       const std::string indent = "  " + std::string(target_width, ' ') + "  ";
       for (const Change& change : values.changes) out += indent + "changed: " + one_line(change) + '\n';
       for (const std::string& note : values.notes) out += indent + "note: " + line_text(note) + '\n';
+      if (std::string line = error_line(values);
+          !line.empty() && (values.error || values.error_reason != s.unseen))
+        out += indent + line + '\n';
     }
   }
   return out;
 }
 
+// A document stands alone with all its materials. Else a heading tells what follows, where more than one thing does.
 std::string export_text(const std::vector<ExportedValues>& all) {
   std::string out;
+  if (all.empty()) return out;
+  const EngineTarget& first = *engine_target(all.front().targets.front().target);
+  if (first.is_document() && all.front().targets.size() == 1) {
+    out = first.opens;
+    for (const ExportedValues& each : all) out += body_text(each.targets.front());
+    return out + std::string(first.closes);
+  }
+  const bool many = all.size() > 1 || all.front().targets.size() > 1;
   for (const ExportedValues& each : all)
     for (const EngineValues& values : each.targets) {
+      if (many)
+        out += (out.empty() ? "" : "\n") + std::string(engine_target(values.target)->comment) +
+               line_text(each.surface.name + ", " + std::string(engine_target(values.target)->title)) + '\n';
       out += copy_text(values);
       if (!out.ends_with('\n')) out += '\n';
     }
@@ -205,6 +251,9 @@ std::string export_csv(const std::vector<ExportedValues>& all) {
         add(f.name, f.text, f.values, found == left.end() ? nullptr : *found);
         if (found != left.end()) left.erase(found);
       }
+      if (values.error)
+        add("dE2000: mean, largest, at normal incidence", "",
+            {values.error->mean, values.error->largest, values.error->normal}, nullptr);
       // Changes of values that are no fields of the target, such as an F0 that the target fixes.
       for (const Change* change : left) add(change->field, "", change->used, change);
     }

@@ -34,6 +34,9 @@ std::vector<ExportedValues> exported_values(std::vector<ExportSurface> surfaces,
 ///   color   how the document writes its colours
 std::string json_clear(const std::optional<ClearBody>& body, std::string (*color)(const LinearRgb&));
 
+/// The error of values in a sentence, or why there is none; empty for colours and constants, of which nobody asks it.
+std::string error_line(const EngineValues& values);
+
 // The forms of `etak export --to values`.
 std::string export_table(const std::vector<ExportedValues>& all);
 std::string export_text(const std::vector<ExportedValues>& all);  // what an editor copies

@@ -156,6 +156,7 @@ GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness,
     out.base_color = {1, 1, 1};
     out.transmission = 1;
     out.volume = *s.clear;
+    if (s.clear->v_d) out.dispersion = 20 / *s.clear->v_d;
     out.volume->color =
         fitted(s.clear->color, fit, 1, s.space, "attenuationColor", "attenuationColor is 0 to 1", changes);
   }

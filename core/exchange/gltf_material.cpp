@@ -164,7 +164,7 @@ class Pictures {
 
 struct Used {
   bool ior = false, specular = false, glossiness = false, transmission = false, emissive_strength = false,
-       clearcoat = false, iridescence = false;
+       clearcoat = false, dispersion = false, iridescence = false;
   Pictures pictures;
 };
 
@@ -211,6 +211,10 @@ std::vector<JsonMember> dielectric_extensions(const ExportSurface& s, const Gltf
     out.push_back(
         {"KHR_materials_transmission", line_object({{"transmissionFactor", json(v.transmission)}})});
     out.push_back({"KHR_materials_volume", json_object(volume_of(*v.volume), -1)});
+    if (v.dispersion > 0) {
+      used.dispersion = true;
+      out.push_back({"KHR_materials_dispersion", line_object({{"dispersion", json(v.dispersion)}})});
+    }
   }
   return out;
 }
@@ -296,6 +300,7 @@ std::string buffer_of(const Geometry& sphere, GltfContainer container) {
 std::vector<std::string> extensions_of(const Used& used) {
   std::vector<std::string> names;
   if (used.clearcoat) names.push_back("KHR_materials_clearcoat");
+  if (used.dispersion) names.push_back("KHR_materials_dispersion");
   if (used.emissive_strength) names.push_back("KHR_materials_emissive_strength");
   if (used.ior) names.push_back("KHR_materials_ior");
   if (used.iridescence) names.push_back("KHR_materials_iridescence");

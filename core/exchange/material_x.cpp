@@ -28,23 +28,12 @@ std::string color_space(RgbSpace space) {
   }
 }
 
-// MaterialX takes letters, digits and '_', no digit first.
+// An identifier that is not taken yet.
 std::string node_name(const std::string& id, std::set<std::string>& taken) {
-  std::string out;
-  for (const char c : id) {
-    out += is_letter(c) || is_digit(c) ? c : '_';
-  }
-  if (out.empty() || is_digit(out[0]) || out[0] == '_') out.insert(0, "m");
-  const std::string first = out;
+  const std::string first = identifier(id);
+  std::string out = first;
   for (int i = 2; !taken.insert(out).second; ++i) out = first + "_" + std::to_string(i);
   return out;
-}
-
-// XML comments may not hold "--".
-std::string comment(const std::string& text) {
-  std::string out = "  <!-- " + escape_html(text);
-  for (std::size_t at = 0; (at = out.find("--", at == 0 ? 6 : at)) != out.npos;) out.insert(at + 1, " ");
-  return out + " -->\n";
 }
 
 class Node {
@@ -90,9 +79,9 @@ class ImageNodes {
 void append_surface(std::string& out, const ExportSurface& s, Fit fit, const MaterialXPictures& pictures,
                     const std::string& name, std::set<std::string>& taken, Changes& changes) {
   const OpenPbrValues v = open_pbr_values(s, fit, changes);
-  out += comment(s.name + (s.source.empty() ? "" : ": " + s.source));
-  for (const std::string& note : s.notes) out += comment(note);
-  for (const Change& change : changes) out += comment(one_line(change));
+  out += material_x_comment(s.name + (s.source.empty() ? "" : ": " + s.source));
+  for (const std::string& note : s.notes) out += material_x_comment(note);
+  for (const Change& change : changes) out += material_x_comment(one_line(change));
   ImageNodes images(out, taken);
   images.add(name, "base_color", "color3", pictures.base_color);
   images.add(name, "base_metalness", "float", pictures.base_metalness);
@@ -122,6 +111,20 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const Mat
 }
 
 }  // namespace
+
+std::string identifier(const std::string& id) {
+  std::string out;
+  for (const char c : id) out += is_letter(c) || is_digit(c) ? c : '_';
+  if (out.empty() || is_digit(out[0]) || out[0] == '_') out.insert(0, "m");
+  return out;
+}
+
+// XML comments may not hold "--".
+std::string material_x_comment(const std::string& text) {
+  std::string out = "  <!-- " + escape_html(text);
+  for (std::size_t at = 0; (at = out.find("--", at == 0 ? 6 : at)) != out.npos;) out.insert(at + 1, " ");
+  return out + " -->\n";
+}
 
 std::string material_x(std::span<const ExportSurface> surfaces, Fit fit, std::vector<Changes>& changes,
                        std::span<const MaterialXPictures> pictures) {

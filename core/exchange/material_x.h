@@ -17,6 +17,12 @@ struct MaterialXPictures {
   std::string base_color, base_metalness, specular_roughness, geometry_opacity, emission_color{};
 };
 
+/// An id as a name for documents: letters, digits and '_', no digit first.
+std::string identifier(const std::string& id);
+
+/// A text as a comment of its own line.
+std::string material_x_comment(const std::string& text);
+
 /// A MaterialX 1.39 document with one surfacematerial of one open_pbr_surface (OpenPBR 1.1) per surface: a
 /// metal is base_color F0 with specular_color as its F82 tint, a dielectric base_color with specular_ior.
 /// Nodes are named by the surfaces' ids, made valid and unique. What had to be changed also stands there as a

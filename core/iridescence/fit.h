@@ -10,12 +10,13 @@
 
 namespace etak {
 
-/// What a stack shows at the angles by which a form is judged: 0 to 84 degrees in steps of 6, colours cut to [0, 1] of
+/// What a surface shows at the angles by which a form is judged: 0 to 84 degrees in steps of 6, colours cut to [0, 1] of
 /// linear sRGB, D65. An angle counts by cos sin of it, as the parts of a sphere do: normal incidence counts nothing in
 /// the mean, and is told by itself.
 struct FilmTruth {
   std::vector<double> cosines, weights;  // weights sum to 1
   std::vector<Lab> seen;
+  friend bool operator==(const FilmTruth&, const FilmTruth&) = default;
 };
 FilmTruth film_truth(const std::function<Vec3(double cosine)>& seen);
 

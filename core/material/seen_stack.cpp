@@ -57,6 +57,10 @@ Vec3 SeenStack::passed_twice(double cosine) const {
   return state_->setup.spaces.to_srgb * state_->setup.quadrature.integrate(passed);
 }
 
+const FilmSpectra& SeenStack::spectra() const {
+  return state_->film;
+}
+
 void SeenStack::set_thickness(std::size_t layer, double thickness_nm) {
   state_->film.layers.at(layer).thickness_nm = thickness_nm;
 }

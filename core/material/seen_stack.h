@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 
+#include "core/film/stack.h"
 #include "core/material/f0.h"
 #include "core/material/material.h"
 
@@ -27,6 +28,9 @@ class SeenStack {
   /// the squared transmittance into the base, s and p by themselves. What the body absorbs is left out.
   ///   cosine   of incidence outside, (0, 1]
   Vec3 passed_twice(double cosine) const;
+
+  /// What is summed: the wavelengths, the media's n and k at each.
+  const FilmSpectra& spectra() const;
 
   /// Gives a layer another thickness; it stays coherent or incoherent.
   ///   layer   index, the outermost being 0

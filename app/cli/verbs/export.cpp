@@ -148,12 +148,24 @@ std::string values(const ExportArguments& arguments, Found& found, Fit fit, cons
                       thread_count(arguments.threads));
   const std::string& format = arguments.output.format;
   if (format == "text")
-    for (const ExportedValues& each : all)
+    for (const ExportedValues& each : all) {
+      std::set<std::string> told;  // a cause that several targets share is told once
       for (const EngineValues& values : each.targets) {
-        tell_changes(arguments, each.surface, values.changes);
+        Changes fresh;
+        for (const Change& change : values.changes) {
+          const std::string line = one_line(change);  // "field from -> to (how, by how much): reason"
+          if (told.insert(line.substr(change.field.size(), line.find("): ") - change.field.size())).second)
+            fresh.push_back(change);
+        }
+        tell_changes(arguments, each.surface, fresh);
         for (const std::string& note : values.notes)
-          remark(arguments.output, each.surface.id + ", " + std::string(values.target) + ": " + note);
+          if (told.insert(note).second)
+            remark(arguments.output, each.surface.id + ", " + std::string(values.target) + ": " + note);
+        const std::string error = error_line(values);
+        if (!error.empty() && told.insert(error).second)
+          remark(arguments.output, each.surface.id + ", " + std::string(values.target) + ": " + error);
       }
+    }
   return format == "csv"    ? export_csv(all)
          : format == "json" ? export_json(all, fit, policy)
          : format == "text" ? export_text(all)
@@ -165,7 +177,10 @@ void choose_format(ExportArguments& arguments) {
   std::string& format = arguments.output.format;
   const bool values = arguments.to == "values";
   if (format == "auto") {
-    format = values ? "table" : arguments.to;
+    const bool document = arguments.targets.size() == 1 &&
+                          engine_target(arguments.targets.front()) != nullptr &&
+                          engine_target(arguments.targets.front())->is_document();
+    format = document ? "text" : values ? "table" : arguments.to;
     return;
   }
   const std::vector<std::string> fitting = values ? std::vector<std::string>{"table", "text", "csv", "json"}

@@ -20,6 +20,7 @@ void write_conductor_bsdf(const TargetJob& j) {
   note_residual(j, index);
   j.add("ior", index.n, plain_text);
   j.add("extinction", index.k, plain_text);
+  j.shows_conductor(index.n, index.k);
   j.add_alpha("roughness");
   if (!j.metal()) j.note("the node is made for metals: a dielectric has its surface alone");
   j.note_no_transmission("the node does not draw");
@@ -27,7 +28,11 @@ void write_conductor_bsdf(const TargetJob& j) {
 
 }  // namespace
 
-constinit const TargetRow target_conductor_bsdf{
-    {"conductor_bsdf", "MaterialX 1.39 conductor_bsdf", false, "conductor_bsdf"}, write_conductor_bsdf};
+constinit const TargetRow target_conductor_bsdf{{.id = "conductor_bsdf",
+                                                 .title = "MaterialX conductor_bsdf",
+                                                 .version = "MaterialX 1.39",
+                                                 .formula = "Fresnel's equations of each channel",
+                                                 .film_on_metal = "conductor_bsdf"},
+                                                write_conductor_bsdf};
 
 }  // namespace etak

@@ -48,6 +48,7 @@ void write_metal(const TargetJob& j, bool coated) {
   j.add("metallic", 1);
   j.note("reflectance has no effect on a metal");
   j.schlick_edge(base);
+  j.shows_schlick(base, std::min(50 * 0.33 * (base.r + base.g + base.b), 1.0));
 }
 
 void write_dielectric(const TargetJob& j, bool coated) {
@@ -64,6 +65,7 @@ void write_dielectric(const TargetJob& j, bool coated) {
     j.note("an F0 below 0.02 is taken as shadow: the rim fades with 50 F0");
   else
     j.schlick_edge(grey(seen));
+  j.shows_schlick(grey(seen), std::min(50 * 0.33 * 3 * seen, 1.0));
 }
 
 void write_filament(const TargetJob& job) {
@@ -92,6 +94,11 @@ void write_filament(const TargetJob& job) {
 
 }  // namespace
 
-constinit const TargetRow target_filament{{"filament", "Filament", true}, write_filament};
+constinit const TargetRow target_filament{{.id = "filament",
+                                           .title = "Filament",
+                                           .version = "1.50",
+                                           .formula = "fresnel() of surface_brdf.fs: F90 = saturate(50 F0)",
+                                           .has_coat = true},
+                                          write_filament};
 
 }  // namespace etak

@@ -17,10 +17,10 @@ void write_generalized_schlick_bsdf(const TargetJob& j) {
   } else {
     const LinearRgb f0 = j.fit_f0("color0", "color0 ends at 1");
     j.add("color0", f0, plain_text);
-    j.add("color82",
-          fitted(tint82(j.s, f0), Fit::clamp, 1, j.s.space, "color82", "the edge tint ends at 1",
-                 j.out.changes),
-          plain_text);
+    const LinearRgb tint = fitted(tint82(j.s, f0), Fit::clamp, 1, j.s.space, "color82",
+                                  "the edge tint ends at 1", j.out.changes);
+    j.add("color82", tint, plain_text);
+    j.shows_f82(f0, tint);
     j.add_alpha("roughness");
   }
   j.note_no_transmission("the node draws by scatter_mode RT alone");
@@ -28,9 +28,12 @@ void write_generalized_schlick_bsdf(const TargetJob& j) {
 
 }  // namespace
 
-constinit const TargetRow target_generalized_schlick_bsdf{
-    {"generalized_schlick_bsdf", "MaterialX 1.39 generalized_schlick_bsdf", false, "generalized_schlick_bsdf",
-     "generalized_schlick_bsdf"},
-    write_generalized_schlick_bsdf};
+constinit const TargetRow target_generalized_schlick_bsdf{{.id = "generalized_schlick_bsdf",
+                                                           .title = "MaterialX generalized_schlick_bsdf",
+                                                           .version = "MaterialX 1.39",
+                                                           .formula = "Schlick less the F82 term of color82",
+                                                           .film_on_metal = "generalized_schlick_bsdf",
+                                                           .film_on_dielectric = "generalized_schlick_bsdf"},
+                                                          write_generalized_schlick_bsdf};
 
 }  // namespace etak

@@ -25,7 +25,10 @@ void write_srgb8(const TargetJob& j) {
 
 }  // namespace
 
-constinit const TargetRow target_hex{{"hex", "hex, sRGB"}, write_hex};
-constinit const TargetRow target_srgb8{{"srgb8", "8-bit sRGB"}, write_srgb8};
+constinit const TargetRow target_hex{
+    {.id = "hex", .title = "hex, sRGB", .version = "IEC 61966-2-1:1999", .unstated = one_angle}, write_hex};
+constinit const TargetRow target_srgb8{
+    {.id = "srgb8", .title = "8-bit sRGB", .version = "IEC 61966-2-1:1999", .unstated = one_angle},
+    write_srgb8};
 
 }  // namespace etak

@@ -12,6 +12,10 @@ void write_linear(const TargetJob& j) {
 
 }  // namespace
 
-constinit const TargetRow target_linear{{"linear", "linear sRGB, not clipped"}, write_linear};
+constinit const TargetRow target_linear{{.id = "linear",
+                                         .title = "linear sRGB, not clipped",
+                                         .version = "IEC 61966-2-1:1999",
+                                         .unstated = one_angle},
+                                        write_linear};
 
 }  // namespace etak

@@ -46,6 +46,7 @@ void write_rgb_nk(const TargetJob& j) {
   j.add("n", index.n, plain_text);
   j.add("k", index.k, plain_text);
   j.add("residual", index.residual, plain_text);
+  j.shows_conductor(index.n, index.k);
   j.note_no_transmission("a shader of conductors does not draw");
   j.note(j.s.f82 ? "n and k give F0 and F82 of each channel; residual is what they miss of the two"
                  : "without a known edge: k is 0 and n gives F0");
@@ -54,6 +55,10 @@ void write_rgb_nk(const TargetJob& j) {
 
 }  // namespace
 
-constinit const TargetRow target_rgb_nk{{"rgb-nk", "RGB n, k (conductor shaders)"}, write_rgb_nk};
+constinit const TargetRow target_rgb_nk{{.id = "rgb-nk",
+                                         .title = "RGB n, k (conductor shaders)",
+                                         .version = "any",
+                                         .formula = "Fresnel's equations of each channel"},
+                                        write_rgb_nk};
 
 }  // namespace etak

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +12,8 @@
 #include "core/exchange/color_parts.h"
 #include "core/exchange/color_text.h"
 #include "core/exchange/engine_values.h"
+#include "core/exchange/material_x.h"
+#include "core/fresnel/fresnel.h"
 
 namespace etak {
 
@@ -58,6 +62,45 @@ struct TargetJob {
   // are passed on unchanged; a measured total must come out as it was measured.
   LinearRgb layered_body() const { return layered_diffuse(s); }
 
+  /// Tells by what F over the angle the target draws the values, which gives their error.
+  ///   f   linear sRGB at a cosine of incidence above 0
+  void shows(const std::function<Vec3(double cosine)>& f) const {
+    if (!s.seen) {
+      out.error_reason = s.unseen;
+      return;
+    }
+    // Rounded far below what is seen, so that no machine's rounding shows.
+    out.error = film_error(f, *s.seen);
+    for (double* const each : {&out.error->mean, &out.error->largest, &out.error->normal})
+      *each = std::round(*each * 1e6) / 1e6;
+  }
+  /// Schlick's curve from f0 to f90, in each channel.
+  void shows_schlick(const LinearRgb& f0, double f90 = 1) const {
+    shows([&](double cosine) {
+      Vec3 out = vec(f0);
+      for (double& channel : out) channel += (f90 - channel) * std::pow(1 - cosine, 5);
+      return out;
+    });
+  }
+  /// Fresnel's equations with an n and k of each channel.
+  void shows_conductor(const LinearRgb& n, const LinearRgb& k) const {
+    shows([&](double cosine) {
+      return Vec3{f64::fresnel_exact(n.r, k.r, cosine), f64::fresnel_exact(n.g, k.g, cosine),
+                  f64::fresnel_exact(n.b, k.b, cosine)};
+    });
+  }
+  /// Fresnel's equations of an index, times a colour.
+  void shows_dielectric(double ior, const LinearRgb& tint = {1, 1, 1}) const {
+    shows([&](double cosine) { return vec(scaled(tint, f64::fresnel_exact(ior, 0, cosine))); });
+  }
+  /// The F82 tint of Kutz and others.
+  void shows_f82(const LinearRgb& f0, const LinearRgb& tint) const {
+    shows([&](double cosine) {
+      return Vec3{f64::f_f82_tint(f0.r, tint.r, cosine), f64::f_f82_tint(f0.g, tint.g, cosine),
+                  f64::f_f82_tint(f0.b, tint.b, cosine)};
+    });
+  }
+
   LinearRgb fit_f0(const char* field, const char* reason) const {
     return fitted(s.f0, fit, 1, s.space, field, reason, out.changes);
   }
@@ -75,10 +118,23 @@ struct TargetJob {
   }
 };
 
+/// Two colours that stand for n and k (Gulbrandsen 2014), and the n and k that they stand for.
+struct ArtisticIndex {
+  LinearRgb reflectivity, edge_color, n, k;
+};
+/// `field` names the reflectivity in a Change.
+ArtisticIndex artistic_index(const TargetJob& job, const char* field);
+
+/// Why constants and colours have no error.
+inline constexpr std::string_view one_angle = "a colour for one angle, without a formula of its own";
+inline constexpr std::string_view own_formula = "constants, which a shader of one's own uses";
+
 /// A target and the function that writes its fields, changes and notes.
+///   body   the text of a material, from its fields; null: as copy_text() makes it
 struct TargetRow {
   EngineTarget target;
   void (*write)(const TargetJob&);
+  std::string (*body)(const ExportSurface& surface, const EngineValues& values) = nullptr;
 };
 
 /// The rows of the table, in the files of this folder.

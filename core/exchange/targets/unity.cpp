@@ -19,9 +19,11 @@ void write_unity_metallic(const TargetJob& j) {
   if (j.metal()) {
     albedo = j.fit_f0("Albedo", "Albedo ends at 1");
     j.schlick_edge(albedo);
+    j.shows_schlick(albedo);
   } else {
     note_change(j.out.changes, "F0", list(j.s.f0), list(grey(dielectric)), "fixed",
                 "the metallic setup has one F0 for all dielectrics");
+    j.shows_schlick(grey(dielectric));
     // What is to come out of a measured total does not depend on the F0 that was wanted.
     const LinearRgb body =
         j.s.total ? LinearRgb{j.s.total->r - dielectric, j.s.total->g - dielectric, j.s.total->b - dielectric}
@@ -46,14 +48,26 @@ void write_unity_specular(const TargetJob& j) {
   j.add("Specular", f0, hex_text);
   j.add("Smoothness", 1 - j.roughness());
   j.schlick_edge(f0);
+  j.shows_schlick(f0);
   unity_alpha(j);
 }
 
 }  // namespace
 
-constinit const TargetRow target_unity_metallic{{"unity-metallic", "Unity, metallic setup"},
+namespace {
+constexpr std::string_view standard = "5.0 to 2022.3, Standard of the built-in pipeline";
+constexpr std::string_view standard_fresnel = "FresnelTerm of UnityStandardBRDF.cginc";
+}  // namespace
+
+constinit const TargetRow target_unity_metallic{{.id = "unity-metallic",
+                                                 .title = "Unity, metallic setup",
+                                                 .version = standard,
+                                                 .formula = standard_fresnel},
                                                 write_unity_metallic};
-constinit const TargetRow target_unity_specular{{"unity-specular", "Unity, specular setup"},
+constinit const TargetRow target_unity_specular{{.id = "unity-specular",
+                                                 .title = "Unity, specular setup",
+                                                 .version = standard,
+                                                 .formula = standard_fresnel},
                                                 write_unity_specular};
 
 }  // namespace etak

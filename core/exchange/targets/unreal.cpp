@@ -12,6 +12,7 @@ void write_unreal(const TargetJob& j) {
     j.add("Specular", 0.5);
     j.note("Specular has no effect on a metal");
     j.schlick_edge(base);
+    j.shows_schlick(base, std::min(50 * base.g, 1.0));
   } else {
     const double wanted = j.one_f0("Specular is one number") / 0.08;
     const double specular =
@@ -21,6 +22,7 @@ void write_unreal(const TargetJob& j) {
       j.note("an F0 below 0.02 is taken as shadow: the rim fades with 50 F0");
     else
       j.schlick_edge(grey(specular * 0.08));
+    j.shows_schlick(grey(specular * 0.08), std::min(50 * specular * 0.08, 1.0));
   }
   j.add("Roughness", j.roughness());
   if (j.clear()) {
@@ -34,6 +36,10 @@ void write_unreal(const TargetJob& j) {
 
 }  // namespace
 
-constinit const TargetRow target_unreal{{"unreal", "Unreal Engine"}, write_unreal};
+constinit const TargetRow target_unreal{{.id = "unreal",
+                                         .title = "Unreal Engine",
+                                         .version = "4.0 to 5.5, Default Lit",
+                                         .formula = "F_Schlick of BRDF.ush: F90 = saturate(50 F0.g)"},
+                                        write_unreal};
 
 }  // namespace etak

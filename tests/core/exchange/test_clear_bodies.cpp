@@ -124,7 +124,7 @@ TEST_CASE("files of clear materials hold transmission, volume and index") {
       gltf_document(surfaces, GltfMaterialForm::metal_rough, GltfContainer::gltf, Fit::clamp, changes);
   CHECK(contains(
       gltf,
-      "\"extensionsUsed\": [\"KHR_materials_ior\", \"KHR_materials_specular\", \"KHR_materials_transmission\", \"KHR_materials_volume\"]"));
+      "\"extensionsUsed\": [\"KHR_materials_dispersion\", \"KHR_materials_ior\", \"KHR_materials_specular\", \"KHR_materials_transmission\", \"KHR_materials_volume\"]"));
   CHECK(contains(gltf, "{\"transmissionFactor\": 1}"));
   CHECK(contains(gltf, "\"attenuationDistance\": 1}"));  // of water
   CHECK(contains(gltf, "{\"thicknessFactor\": 2}"));     // of diamond
