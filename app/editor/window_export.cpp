@@ -12,6 +12,7 @@
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/exchange/engine_values.h"
+#include "core/exchange/export_values.h"
 #include "core/project/project_export.h"
 
 namespace etak::editor {
@@ -103,6 +104,7 @@ void Window::copy_value(const EngineTarget& target) {
     const QString copied = QString::fromStdString(copy_text(values));
     QApplication::clipboard()->setText(copied);
     message = tr("Copied for %1: %2").arg(qt_text(target.title), copied.section('\n', 0, 0));
+    if (const std::string error = error_line(values); !error.empty()) message += "; " + qt_text(error);
     for (const Change& change : values.changes) message += "; " + qt_text(one_line(change));
   });
   tell(failure.isEmpty() ? message : failure);

@@ -5,6 +5,7 @@
 #include <QJsonObject>
 #include <QLineEdit>
 #include <QMenu>
+#include <QStatusBar>
 #include <QXmlStreamReader>
 
 #include "app/editor/panels/inspector.h"
@@ -80,6 +81,16 @@ class EditorExport : public QObject {
     const EngineTarget* hexadecimal = engine_target("hex");
     QVERIFY(QString::fromStdString(copy_text(engine_values(*hexadecimal, surface)))
                 .contains(QLatin1String("#ffe49c"), Qt::CaseInsensitive));
+  }
+
+  void the_film_of_layers_is_copied_with_its_error() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("anodised_titanium_40nm")));
+    action_named(*window, QStringLiteral("glTF 2.0 metal-rough"))->trigger();
+    QVERIFY(QApplication::clipboard()->text().contains(
+        QLatin1String("KHR_materials_iridescence.iridescenceThicknessMaximum: ")));
+    const QString message = window->statusBar()->currentMessage();
+    QVERIFY2(message.contains(QLatin1String("error: dE2000 ")), qPrintable(message));
   }
 
   // The wood of this test has a texture of its colour and one of its gloss.
