@@ -216,11 +216,17 @@ void Window::load_environment() {
     if (key != environment_key_) return;
     show(loaded);
     if (!loaded.environment) return show_environment_work(false);
-    begin(loaded.picture, Prefilter::full, [this, key, show](const LoadedEnvironment& sharp) {
+    const auto sharpen = [this, key, show, begin, picture = loaded.picture] {
       if (key != environment_key_) return;
-      show_environment_work(false);
-      show(sharp);
-    });
+      begin(picture, Prefilter::full, [this, key, show](const LoadedEnvironment& sharp) {
+        if (key != environment_key_) return;
+        show_environment_work(false);
+        show(sharp);
+      });
+    };
+    // The picture is drawn first, which needs the processors too.
+    constexpr int drawn_ms = 200;
+    QTimer::singleShot(drawn_ms, this, sharpen);
   });
 }
 
