@@ -318,7 +318,7 @@ class CoatsAndInstruments(unittest.TestCase):
             self.assertNotIn("\n", str(caught.exception))
         with self.assertRaisesRegex(etak.Error, "^coat: is given beside arrays"):
             etak.f0(n=[1.5, 1.5], wavelength=[380, 780], coat=1.5)
-        with self.assertRaisesRegex(etak.Error, "refused: reflectance at normal incidence"):
+        with self.assertRaisesRegex(etak.Error, "spectralon: reflectance at normal incidence"):
             etak.f0("spectralon", coat=1.5)
 
 
