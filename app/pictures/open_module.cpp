@@ -45,7 +45,7 @@ OpenedModule open_module_of_program(const std::string& file, const std::string& 
   const std::string program = sys::program_path();
   const std::string here = program.substr(0, program.rfind('/') + 1);
   if (here.empty())
-    return {nullptr, "the folder of the program, where it lies, cannot be told without /proc/self/exe"};
+    return {nullptr, "the folder of etak, where it lies, cannot be told without /proc/self/exe"};
   const std::array candidates{here + file, here + from_bin + "/" + file};
   return open_module(candidates, function, version);
 }

@@ -176,10 +176,12 @@ std::string values(const ExportArguments& arguments, Found& found, Fit fit, cons
 void choose_format(ExportArguments& arguments) {
   std::string& format = arguments.output.format;
   const bool values = arguments.to == "values";
+  const EngineTarget* const only =
+      arguments.targets.size() == 1 ? engine_target(arguments.targets.front()) : nullptr;
+  const bool document = only != nullptr && only->is_document();
+  // The targets that are nodes of MaterialX are files of that ending.
+  if (format == "mtlx" && document && only->opens.starts_with("<?xml")) format = "text";
   if (format == "auto") {
-    const bool document = arguments.targets.size() == 1 &&
-                          engine_target(arguments.targets.front()) != nullptr &&
-                          engine_target(arguments.targets.front())->is_document();
     format = document ? "text" : values ? "table" : arguments.to;
     return;
   }
