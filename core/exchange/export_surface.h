@@ -80,6 +80,8 @@ struct ExportSurface {
   double opacity = 1;         // [0, 1]
   LinearRgb emission{0, 0, 0};     // radiance that the surface sends out by itself, >= 0
   std::vector<std::string> notes;  // what was assumed, and what is against the data
+  /// Name and source, as documents tell them.
+  std::string title() const { return name + (source.empty() ? "" : ": " + source); }
   const std::string& node_name() const { return node.empty() ? id : node; }
   friend bool operator==(const ExportSurface&, const ExportSurface&) = default;
 };

@@ -79,7 +79,7 @@ class ImageNodes {
 void append_surface(std::string& out, const ExportSurface& s, Fit fit, const MaterialXPictures& pictures,
                     const std::string& name, std::set<std::string>& taken, Changes& changes) {
   const OpenPbrValues v = open_pbr_values(s, fit, changes);
-  out += material_x_comment(s.name + (s.source.empty() ? "" : ": " + s.source));
+  out += material_x_comment(s.title());
   for (const std::string& note : s.notes) out += material_x_comment(note);
   for (const Change& change : changes) out += material_x_comment(one_line(change));
   ImageNodes images(out, taken);

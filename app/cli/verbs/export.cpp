@@ -287,9 +287,9 @@ void add_export(CommandLine& line) {
           "what becomes of a colour above 1 or below 0: clamp (each channel) or preserve-hue (the whole colour)")
       .one_of({"clamp", "preserve-hue"})
       .show_default();
-  verb.option(
-          "--target", arguments->targets,
-          "of --to values: only these, with ',' between (hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, openpbr-adobe, gltf, gltf-specular-glossiness, gulbrandsen, rgb-nk, conductor_bsdf, generalized_schlick_bsdf)")
+  verb.option("--target", arguments->targets,
+              "of --to values: only these, with ',' between (" +
+                  joined(engine_targets(), ", ", [](const EngineTarget& each) { return each.id; }) + ")")
       .separated_by(',')
       .value_name("TARGET,...");
   verb.option(

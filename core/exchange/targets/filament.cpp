@@ -48,7 +48,7 @@ void write_metal(const TargetJob& j, bool coated) {
   j.add("metallic", 1);
   j.note("reflectance has no effect on a metal");
   j.schlick_edge(base);
-  j.shows_schlick(base, std::min(50 * 0.33 * (base.r + base.g + base.b), 1.0));
+  j.shows_schlick(base, faded_f90(base));
 }
 
 void write_dielectric(const TargetJob& j, bool coated) {
@@ -65,7 +65,7 @@ void write_dielectric(const TargetJob& j, bool coated) {
     j.note("an F0 below 0.02 is taken as shadow: the rim fades with 50 F0");
   else
     j.schlick_edge(grey(seen));
-  j.shows_schlick(grey(seen), std::min(50 * 0.33 * 3 * seen, 1.0));
+  j.shows_schlick(grey(seen), faded_f90(grey(seen)));
 }
 
 void write_filament(const TargetJob& job) {

@@ -1,37 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/exchange/gltf_material.h"
-#include "core/exchange/targets/target.h"
+#include "core/exchange/targets/gltf_fields.h"
 
 namespace etak {
 namespace {
 
+constexpr GltfNames gltf_names{"baseColorFactor",
+                               "metallicFactor",
+                               "roughnessFactor",
+                               "KHR_materials_ior.ior",
+                               "KHR_materials_specular.specularColorFactor",
+                               "KHR_materials_transmission.transmissionFactor",
+                               "KHR_materials_volume.attenuationColor",
+                               "KHR_materials_volume.attenuationDistance",
+                               "KHR_materials_dispersion.dispersion",
+                               "KHR_materials_clearcoat.clearcoatFactor",
+                               "KHR_materials_clearcoat.clearcoatRoughnessFactor",
+                               "KHR_materials_iridescence.iridescenceFactor",
+                               "KHR_materials_iridescence.iridescenceIor",
+                               "baseColorFactor alpha",
+                               plain_text};
+
 void write_gltf(const TargetJob& j) {
-  const GltfMaterialValues v = gltf_values(j.s, false, j.fit, j.out.changes);
-  j.add("baseColorFactor", v.base_color, plain_text);
-  j.add("metallicFactor", v.metallic);
-  j.add("roughnessFactor", v.roughness);
-  j.shows_schlick(j.metal() ? v.base_color : scaled(v.specular_color, f64::f0(v.ior, 0)));
-  if (!j.metal()) {
-    j.add("KHR_materials_ior.ior", v.ior);
-    j.add("KHR_materials_specular.specularColorFactor", v.specular_color, plain_text);
-  }
-  if (v.transmission > 0) j.add("KHR_materials_transmission.transmissionFactor", v.transmission);
-  if (v.volume && v.volume->depth_m > 0) {
-    j.add("KHR_materials_volume.attenuationColor", v.volume->color, plain_text);
-    j.add("KHR_materials_volume.attenuationDistance", v.volume->depth_m);
-  }
-  if (v.dispersion > 0) j.add("KHR_materials_dispersion.dispersion", v.dispersion);
-  if (v.clearcoat > 0) {
-    j.add("KHR_materials_clearcoat.clearcoatFactor", v.clearcoat);
-    j.add("KHR_materials_clearcoat.clearcoatRoughnessFactor", 0);
-  }
-  if (v.iridescence > 0) {
-    j.add("KHR_materials_iridescence.iridescenceFactor", v.iridescence);
-    j.add("KHR_materials_iridescence.iridescenceIor", v.iridescence_ior);
-    j.add("KHR_materials_iridescence.iridescenceThicknessMinimum", v.iridescence_nm);
-    j.add("KHR_materials_iridescence.iridescenceThicknessMaximum", v.iridescence_nm);
-  }
-  j.opacity("baseColorFactor alpha");
+  j.shows_schlick(write_gltf_fields(j, gltf_names, [&](double nm) {
+    j.add("KHR_materials_iridescence.iridescenceThicknessMinimum", nm);
+    j.add("KHR_materials_iridescence.iridescenceThicknessMaximum", nm);
+  }));
 }
 
 void write_gltf_gloss(const TargetJob& j) {

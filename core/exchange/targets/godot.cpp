@@ -22,7 +22,7 @@ void write_godot(const TargetJob& j) {
   }
   j.add("roughness", j.roughness());
   j.schlick_edge(f0);
-  j.shows_schlick(f0, j.metal() ? 1 : std::clamp(50 * 0.33 * (f0.r + f0.g + f0.b), 0.0, 1.0));
+  j.shows_schlick(f0, j.metal() ? 1 : faded_f90(f0));
   if (j.clear())
     j.note(
         "the body is clear: transparency Alpha with refraction_enabled, which bends the screen's picture (" +

@@ -9,7 +9,7 @@ namespace etak {
 
 std::string material_x_body(const std::string& category, const ExportSurface& s, const EngineValues& values) {
   const std::string name = identifier(s.node_name());
-  std::string out = material_x_comment(s.name + (s.source.empty() ? "" : ": " + s.source));
+  std::string out = material_x_comment(s.title());
   for (const Change& change : values.changes) out += material_x_comment(one_line(change));
   append(out, "  <", category, " name=\"", name, "_surface\" type=\"surfaceshader\" nodedef=\"ND_", category,
          "_surfaceshader\">\n");

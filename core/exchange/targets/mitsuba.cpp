@@ -20,9 +20,8 @@ std::string mitsuba_body(const ExportSurface& s, const EngineValues& values) {
   };
   const bool metal = s.kind == SurfaceKind::metal, smooth = s.gloss.alpha() == 0, bare = s.spectrum.empty();
   const std::string type = metal ? "conductor" : s.diffuse == LinearRgb{} ? "dielectric" : "plastic";
-  std::string out = material_x_comment(s.name + (s.source.empty() ? "" : ": " + s.source)) +
-                    "  <bsdf type=\"" + (smooth ? "" : "rough") + type + "\" id=\"" +
-                    identifier(s.node_name()) + "\">\n";
+  std::string out = material_x_comment(s.title()) + "  <bsdf type=\"" + (smooth ? "" : "rough") + type +
+                    "\" id=\"" + identifier(s.node_name()) + "\">\n";
   if (metal && bare) {
     const std::vector<double>& f0 = values.fields.front().values;
     out += "    <string name=\"material\" value=\"none\"/>\n" +

@@ -17,8 +17,8 @@ std::string pbrt_body(const ExportSurface& s, const EngineValues& values) {
   };
   const bool metal = s.kind == SurfaceKind::metal, bare = s.spectrum.empty();
   const EngineField& first = values.fields.front();
-  std::string out = "# " + line_text(s.name + (s.source.empty() ? "" : ": " + s.source)) +
-                    "\nMakeNamedMaterial \"" + identifier(s.node_name()) + "\" \"string type\" ";
+  std::string out = "# " + line_text(s.title()) + "\nMakeNamedMaterial \"" + identifier(s.node_name()) +
+                    "\" \"string type\" ";
   const std::string one_eta =
       "\n    \"float eta\" " + number(ior_of_f0(std::clamp(luminance(s.f0, s.space), 0.0, 0.99)), 6);
   if (metal)

@@ -118,6 +118,11 @@ struct TargetJob {
   }
 };
 
+/// The F90 of Filament, Godot and HDRP: it fades below an F0 of 0.02, which they take as shadow.
+inline double faded_f90(const LinearRgb& f0) {
+  return std::clamp(50 * 0.33 * (f0.r + f0.g + f0.b), 0.0, 1.0);
+}
+
 /// Two colours that stand for n and k (Gulbrandsen 2014), and the n and k that they stand for.
 struct ArtisticIndex {
   LinearRgb reflectivity, edge_color, n, k;

@@ -1,37 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/exchange/targets/target.h"
+#include "core/exchange/targets/gltf_fields.h"
 
 namespace etak {
 namespace {
 
+constexpr GltfNames threejs_names{
+    "color",          "metalness",    "roughness",          "ior",
+    "specularColor",  "transmission", "attenuationColor",   "attenuationDistance",
+    "dispersion",     "clearcoat",    "clearcoatRoughness", "iridescence",
+    "iridescenceIOR", "opacity",      threejs_text};
+
 void write_threejs(const TargetJob& j) {
-  const GltfMaterialValues v = gltf_values(j.s, false, j.fit, j.out.changes);
-  j.add("color", v.base_color, threejs_text);
-  j.add("metalness", v.metallic);
-  j.add("roughness", v.roughness);
-  if (!j.metal()) {
-    j.add("ior", v.ior);
-    j.add("specularColor", v.specular_color, threejs_text);
-  }
-  if (v.transmission > 0) j.add("transmission", v.transmission);
-  if (v.volume && v.volume->depth_m > 0) {
-    j.add("attenuationColor", v.volume->color, threejs_text);
-    j.add("attenuationDistance", v.volume->depth_m);
-  }
-  if (v.dispersion > 0) j.add("dispersion", v.dispersion);
-  if (v.clearcoat > 0) {
-    j.add("clearcoat", v.clearcoat);
-    j.add("clearcoatRoughness", 0);
-  }
-  if (v.iridescence > 0) {
-    j.add("iridescence", v.iridescence);
-    j.add("iridescenceIOR", v.iridescence_ior);
-    j.add("iridescenceThicknessRange", {v.iridescence_nm},
-          "[" + number(v.iridescence_nm, digits) + ", " + number(v.iridescence_nm, digits) + "]");
-  }
-  j.opacity("opacity");
+  const LinearRgb f0 = write_gltf_fields(j, threejs_names, [&](double nm) {
+    j.add("iridescenceThicknessRange", {nm}, "[" + number(nm, digits) + ", " + number(nm, digits) + "]");
+  });
   // The power of Schlick's curve as its shaders have it, by an exponential of a Gaussian.
-  const LinearRgb f0 = j.metal() ? v.base_color : scaled(v.specular_color, f64::f0(v.ior, 0));
   j.shows([&](double cosine) {
     const double curve = std::exp2((-5.55473 * cosine - 6.98316) * cosine);
     Vec3 out = vec(f0);

@@ -22,7 +22,7 @@ void write_hdrp(const TargetJob& j) {
   j.add("Smoothness", 1 - j.roughness());
   j.schlick_edge(f0);
   // A refractive material keeps an edge of 1.
-  j.shows_schlick(f0, j.clear() ? 1 : std::clamp(50 * 0.33 * (f0.r + f0.g + f0.b), 0.0, 1.0));
+  j.shows_schlick(f0, j.clear() ? 1 : faded_f90(f0));
   if (j.clear()) {
     j.add("Index Of Refraction", j.index());
     j.note("the body is clear: Surface Type Transparent, Refraction Model Sphere or Box");

@@ -30,8 +30,7 @@ void write_usd(const TargetJob& j) {
 
 std::string usd_body(const ExportSurface& s, const EngineValues& values) {
   const std::string name = identifier(s.node_name());
-  std::string out = "    def Material \"" + name +
-                    "\" (\n        doc = " + json(s.name + (s.source.empty() ? "" : ": " + s.source)) +
+  std::string out = "    def Material \"" + name + "\" (\n        doc = " + json(s.title()) +
                     "\n    )\n    {\n        token outputs:surface.connect = </materials/" + name +
                     "/surface.outputs:surface>\n\n        def Shader \"surface\"\n        {\n"
                     "            uniform token info:id = \"UsdPreviewSurface\"\n";
