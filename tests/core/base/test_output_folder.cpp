@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
@@ -350,8 +351,9 @@ TEST_CASE("killed at any time, the target holds one whole set") {
   fs::create_directory(target + "/folder");
   std::mt19937 random(3);
   std::set<char> seen;
-  // More rounds where other work on the machine lets few children come as far as a commit.
+  // More and longer rounds where other work on the machine lets few children come as far as a commit.
   for (unsigned round = 0; round < 60 || (seen.size() < 3 && round < 600); ++round) {
+    const unsigned longest = 4000 + 200 * (std::max(round, 60U) - 60);
     const pid_t child = ::fork();
     if (child == 0) {
       try {
@@ -360,7 +362,7 @@ TEST_CASE("killed at any time, the target holds one whole set") {
       }
       ::_exit(1);
     }
-    std::this_thread::sleep_for(once * (random() % 4000) / 1000);
+    std::this_thread::sleep_for(once * (random() % longest) / 1000);
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     const Files found = all_in(target);
