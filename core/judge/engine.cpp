@@ -110,7 +110,8 @@ Needs needs_of(const CheckTarget& target, const Settings& settings) {
   for (const Rule* rule : rules()) {
     if (severity_of(*rule, settings) == Severity::off) continue;
     if (rule->needs.has(Need::metal_rough) && !metal_rough) continue;
-    if (rule->needs.has(Need::maps) && !maps) continue;
+    // What a rule on headers says of maps besides is no reason to leave the headers out.
+    if (rule->needs.has(Need::maps) && !rule->needs.has(Need::header) && !maps) continue;
     if (rule->needs.has(Need::layout) && !atlas) continue;
     if (rule->needs.has(Need::named) && !named) continue;
     if (rule->needs.has(Need::material) && !materials) continue;

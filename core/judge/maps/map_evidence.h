@@ -77,10 +77,11 @@ struct JpegComb {
 /// Codes of a grey map, or the largest of the three of an emissive map.
 ///   hidden       texels whose alpha in the base colour beside is 0; hidden_lit: of those, with a code above
 ///                16
+///   coloured     of an occlusion map in a file of its own: texels that are not grey (other_content.h)
 struct GreyFacts {
   std::uint64_t texels = 0;
   std::array<std::uint64_t, 256> codes{};
-  std::uint64_t hidden = 0, hidden_lit = 0;
+  std::uint64_t hidden = 0, hidden_lit = 0, coloured = 0;
 
   /// Texels with first <= code <= last.
   std::uint64_t between(int first, int last) const;

@@ -11,6 +11,7 @@
 
 #include "core/base/random.h"
 #include "core/judge/maps/jpeg_comb.h"
+#include "core/judge/maps/other_content.h"
 
 namespace etak {
 
@@ -359,6 +360,7 @@ MapEvidence survey_grey(RowSource& source, FileRole role, RowSource* alpha) {
           const std::uint8_t code =
               role == FileRole::occlusion ? texel[0] : std::max({texel[0], texel[1], texel[2]});
           ++out.grey.codes[code];
+          if (role == FileRole::occlusion) out.grey.coloured += is_coloured(texel);
           if (!cover.is_there() || cover.codes()[4 * i + 3] != 0) continue;
           ++out.grey.hidden;
           out.grey.hidden_lit += code > lit;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/judge/maps/map_evidence.h"
+#include "core/judge/maps/other_content.h"
 #include "core/judge/pixels/components.h"
 #include "core/judge/pixels/edge_steps.h"
 #include "core/judge/target.h"
@@ -140,12 +141,14 @@ struct MaterialEvidence {
   bool is_material_file = true;  // citations are expected
 };
 
-/// Codes of a picture that holds roughness, metallic and the like, of evenly spread rows: at most 256.
+/// Codes of a picture of a set of single files. Of roughness, metallic and the like at most 256 evenly spread rows are
+/// counted; of colours 64 rows of 256 texels at most, and only whether they are normals.
 ///   codes      of the first three channels
-///   coloured   texels whose three codes differ by more than 10
+///   coloured   texels that are not grey (other_content.h)
 struct DataCodes {
   std::array<Histogram, 3> codes{};
   std::uint64_t texels = 0, coloured = 0;
+  NormalSums normals;
 
   /// Share of a channel's texels with first <= code <= last, 0 to 1.
   double share(std::size_t channel, int first, int last) const;

@@ -127,21 +127,24 @@ const DataCodes* MetalRoughSet::data(std::size_t file) const {
 
 // Counts the codes of some of the rows of an image, of which `codes` has those from `first_row` on.
 void MetalRoughSet::count_codes(std::size_t image, const Image8& codes, int first_row, int height) const {
-  constexpr int most_rows = 256, most_difference = 10;
-  if (image >= is_data_.size() || !is_data_[image]) return;
+  constexpr int most_rows = 256, most_of_colours = 64;  // of colours: rows, and four times as many columns
+  if (image >= is_data_.size()) return;
+  const bool is_data = is_data_[image];
   DataCodes& out = (*data_)[image];
-  const int step = 1 + (height - 1) / most_rows;
+  const int step = 1 + (height - 1) / (is_data ? most_rows : most_of_colours);
+  const int across = is_data ? 1 : 1 + (codes.width - 1) / (4 * most_of_colours);
   const std::size_t channels = std::min<std::size_t>(3, static_cast<std::size_t>(codes.channels));
-  for (int y = (step - first_row % step) % step; y < codes.height; y += step) {
-    const std::uint8_t* texel = codes.at(0, y).data();
-    for (int x = 0; x < codes.width; ++x, texel += codes.channels) {
+  for (int y = (step - first_row % step) % step; y < codes.height; y += step)
+    for (int x = 0; x < codes.width; x += across) {
+      const std::uint8_t* texel = codes.at(x, y).data();
+      ++out.texels;
+      if (!is_data) {
+        if (channels == 3) out.normals.add(texel);
+        continue;
+      }
       for (std::size_t c = 0; c < channels; ++c) ++out.codes[c][texel[c]];
-      if (channels < 3) continue;
-      const auto [least, most] = std::minmax({texel[0], texel[1], texel[2]});
-      out.coloured += most - least > most_difference;
+      if (channels == 3) out.coloured += is_coloured(texel);
     }
-    out.texels += static_cast<std::uint64_t>(codes.width);
-  }
 }
 
 LoadedPictures MetalRoughSet::convert() {
@@ -151,8 +154,7 @@ LoadedPictures MetalRoughSet::convert() {
   }
   for (std::size_t i = 0; i < is_data_.size(); ++i) {
     (*data_)[i] = {};
-    if (is_data_[i])
-      count_codes(i, pictures_.codes(static_cast<int>(i)), 0, header(static_cast<int>(i)).height);
+    count_codes(i, pictures_.codes(static_cast<int>(i)), 0, header(static_cast<int>(i)).height);
   }
   return convert(pictures_);
 }

@@ -59,7 +59,7 @@ class MetalRoughSet {
     GreyFacts codes;
   };
   const Occlusion* occlusion() const { return occlusion_.get(); }
-  /// The codes of the n-th file by the same reading; null: it holds colours, or it was not read.
+  /// The codes of the n-th file by the same reading; null: it was not read.
   const DataCodes* data(std::size_t file) const;
   /// The header of the n-th file of the set, in the target's order.
   const PictureHeader& header(int file) { return pictures_.header(file); }
@@ -92,7 +92,7 @@ class MetalRoughSet {
   Channel metallic_, roughness_;
   int specular_ = -1, joined_ = -1;  // indices of images; -1: none
   std::shared_ptr<Occlusion> occlusion_;
-  std::shared_ptr<std::vector<DataCodes>> data_;  // of each file that holds no colours
+  std::shared_ptr<std::vector<DataCodes>> data_;  // of each file
   ScenePictures pictures_;
 };
 

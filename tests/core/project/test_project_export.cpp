@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/files/file.h"
 #include "core/color/srgb.h"
 #include "core/image/files/png.h"
 #include "core/project/project_export.h"

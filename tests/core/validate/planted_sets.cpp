@@ -337,6 +337,42 @@ const Maker makers[] = {
        return Files{{"wall_basecolor.png", png_of(s.base)},
                     {n % 2 == 0 ? "wall_orm.psd" : "wall_orm.avif", "8BPS"}};
      }},
+    {"the base colour as occlusion", "ETK004", Severity::error, 1,
+     [](int n, const Surface& s, Random& random) {
+       const Surface coloured = n % kind_count == kind_count - 1 ? surface(n + 1, random) : s;
+       Files out = single_files(coloured);
+       if (n % 2 == 0)
+         out["wall_ao.png"] = out["wall_basecolor.png"];
+       else
+         out["wall_ao.jpg"] =
+             lossy_file(coloured.base, "a.jpg", "jpeg:" + std::to_string(80 + random.below(19)));
+       return out;
+     }},
+    {"the normal map as occlusion", "ETK004", Severity::error, 1,
+     [](int, const Surface& s, Random&) {
+       Files out = single_files(s);
+       out["wall_ao.png"] = out["wall_normal.png"];
+       return out;
+     }},
+    {"the normal map as base colour", "ETK004", Severity::error, 1,
+     [](int n, const Surface& s, Random& random) {
+       Files out = n % 3 == 0 ? packed_files(s, "orm", packed(s.occlusion, s.roughness, s.metallic))
+                              : single_files(s);
+       out.erase("wall_basecolor.png");
+       if (n % 2 == 0)
+         out["wall_basecolor.png"] = png_of(s.normal);
+       else
+         out["wall_basecolor.jpg"] =
+             lossy_file(s.normal, "a.jpg", "jpeg:" + std::to_string(80 + random.below(19)));
+       return out;
+     }},
+    {"the normal map as diffuse", "ETK004", Severity::error, 1,
+     [](int, const Surface& s, Random&) {
+       return Files{{"wall_diffuse.png", png_of(s.normal)},
+                    {"wall_specular.png", png_of(Image8(side, side, 3, 56))},
+                    {"wall_glossiness.png", png_of(s.roughness)},
+                    {"wall_normal.png", png_of(s.normal)}};
+     }},
 };
 
 }  // namespace
@@ -353,6 +389,7 @@ std::vector<PlantedSet> right_sets(int count, std::uint64_t seed) {
                 : form == 1 ? packed_files(s, "orm", packed(s.occlusion, s.roughness, s.metallic))
                             : packed_files(s, "mrao", packed(s.metallic, s.roughness, s.occlusion));
     if (i % 2 == 1) set.files["wall_height.png"] = png_of(s.height);
+    if (form == 0 && i % 3 == 0) set.files["wall_ao.jpg"] = lossy_file(s.occlusion, "a.jpg", "jpeg:80");
   }
   return out;
 }
