@@ -35,17 +35,15 @@ double NormalSums::unit_share() const {
 }
 
 bool are_normals(const NormalSums& sums) {
-  constexpr double least_spread = 4 / 127.5, most_of_spread = 1 / 3.0;
-  constexpr double most_lean = 0.25, least_up = 0.5, least_unit_share = 0.9;
+  constexpr double least_spread = 1.5 / 127.5, most_of_spread = 1 / 3.0, least_up = 0.5,
+                   least_unit_share = 0.8;
   const std::uint64_t count = sums.leaning.count;
-  if (sums.unit_share() < least_unit_share) return false;
   const PairSums &leaning = sums.leaning, &lengths = sums.lengths;
-  if (std::abs(mean(leaning.x, count)) > most_lean || std::abs(mean(leaning.y, count)) > most_lean ||
-      mean(lengths.y, count) < least_up)
-    return false;
+  if (sums.unit_share() < least_unit_share || mean(lengths.y, count) < least_up) return false;
   const double spread =
       std::sqrt(variance(leaning.xx, leaning.x, count) + variance(leaning.yy, leaning.y, count));
-  return spread >= least_spread &&
+  const double lean = std::max(std::abs(mean(leaning.x, count)), std::abs(mean(leaning.y, count)));
+  return spread >= least_spread && lean <= spread &&
          std::sqrt(variance(lengths.xx, lengths.x, count)) <= most_of_spread * spread;
 }
 

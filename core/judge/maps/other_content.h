@@ -32,9 +32,11 @@ struct NormalSums {
 };
 
 /// Whether the texels are normals of a tangent space. Colours become brighter and darker, by which their lengths vary
-/// as much as their components do; normals turn while their length stays. So red and green must vary by 4 codes or
-/// more, the length by no more than a third of that, nine of ten texels be unit, and the mean stand up. A picture of one
-/// colour is none, whatever the colour.
+/// as much as their components do; normals turn while their length stays. So red and green must vary by 1.5 codes or
+/// more, about a mean that leans by no more than that, the length by no more than a third of it, eight of ten texels be
+/// unit, and the mean stand up. Of the ten normal maps of four real scenes nine vary by 2 to 25 codes, the length by
+/// 0.04 to 0.26 of that, and 86 % or more are unit; of their base colours at most 13 % are.
+/// A picture of one colour is none, whatever the colour.
 bool are_normals(const NormalSums& sums);
 
 }  // namespace etak
