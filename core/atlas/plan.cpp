@@ -2,33 +2,23 @@
 #include "core/atlas/plan.h"
 
 #include <algorithm>
-#include <cassert>
-#include <limits>
-#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "core/atlas/outline_pieces.h"
+#include "core/atlas/planning.h"
 #include "core/base/error.h"
-#include "core/base/setting.h"
 
 namespace etak {
 namespace {
 
+using planning::Cells, planning::Planning;
+using planning::cells_of, planning::fits, planning::log2_floor, planning::rounded_up;
+
 // Gutters may enlarge the page area up to this factor; beyond it regions get no gutters, and UVs are inset.
 // That happens to regions whose sides are powers of two: with any gutter they need the next page size.
 constexpr double most_gutter_area = 1.25;
-
-int log2_floor(int value) {
-  int out = 0;
-  while (value > 1) value >>= 1, ++out;
-  return out;
-}
-
-int rounded_up(int value, int multiple) {
-  return (value + multiple - 1) / multiple * multiple;
-}
 
 // Blocks that hardware compresses have so many texels a side.
 constexpr int block = 4;
@@ -43,182 +33,17 @@ RectSize in_blocks(const RectSize& page, int largest_side) {
                                                                                                      : page;
 }
 
-struct Cells {
-  std::vector<RectSize> sizes;
-  std::vector<int> gutters, clean;
-  int align = 1;
-};
-
-// The cell of each region with its gutter.
-//   clean_limit   above 0: clean mips at most
-Cells cells_of(const std::vector<Region>& regions, const PlanOptions& options, bool gutters,
-               int clean_limit = 0) {
-  Cells out;
-  for (const Region& region : regions) {
-    const int smaller = std::min(region.width(), region.height());
-    const int wanted = levels_wanted(options.levels, region.levels);
-    const int most = clean_limit > 0 ? std::min(clean_limit, wanted) : wanted;
-    int clean = clean_levels(region.width(), region.height(), most, options.gutter);
-    // Bilinear filtering of the last clean mip, 2^(clean - 1) texels to one, reads one beyond the edge.
-    const int needed = gutters ? std::max(options.least_gutter, 1 << (clean - 1)) : 0;
-    // A given gutter grows to the grid of the mips: the region itself must begin on it.
-    const int gutter = options.gutter ? rounded_up(*options.gutter, 1 << (clean - 1)) : needed;
-    if (!gutters && !options.gutter) clean = std::min(most, std::max(1, log2_floor(smaller) - 1));
-    out.gutters.push_back(gutter);
-    out.clean.push_back(clean);
-    if (wanted > 1) out.align = std::max(out.align, 1 << (clean - 1));
-  }
-  // One grid for all cells, so that every texel of every clean mip belongs to one region. A grid coarser than
-  // a quarter of the usual region would waste more than the last mips are worth.
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    out.sizes.push_back({rounded_up(regions[i].width() + 2 * out.gutters[i], out.align),
-                         rounded_up(regions[i].height() + 2 * out.gutters[i], out.align)});
-  }
-  return out;
-}
-
-std::optional<RectPlace> old_place(const AtlasRect& rect, const Cells& cells, int gutter) {
-  RectPlace place{rect.page, rect.x - gutter, rect.y - gutter, rect.rotated};
-  if (place.x < 0 || place.y < 0 || place.x % cells.align != 0 || place.y % cells.align != 0 ||
-      rect.gutter != gutter)
-    return std::nullopt;
-  return place;
-}
-
-// The regions that are planned, and where they were in an earlier layout.
-struct Planning {
-  const std::vector<Region>& regions;
-  const std::vector<std::string>& names;  // of the materials
-  const PlanOptions& options;
-  const AtlasLayout* previous = nullptr;    // null: none, or not to be looked at
-  std::vector<const AtlasRect*> earlier{};  // by region; null: it is new
-};
-
 struct Attempt {
   bool gutters = true;
   bool apart = false;   // regions that lack a texture go to pages of their own
   int clean_limit = 0;  // clean mips at most; 0: any number
 };
 
-// The rectangles of the earlier layout that hold what the regions hold.
-std::vector<const AtlasRect*> earlier_rects(const std::vector<Region>& regions,
-                                            const std::vector<std::string>& names,
-                                            const AtlasLayout& layout) {
-  std::map<std::tuple<std::string, int, int, int, int>, const AtlasRect*> known;
-  for (const AtlasRect& rect : layout.rects)
-    known[{rect.name, rect.crop.x, rect.crop.y, rect.crop.width, rect.crop.height}] = &rect;
-  std::vector<const AtlasRect*> out;
-  for (const Region& region : regions) {
-    const PixelBox& box = region.box;
-    const auto found = known.find({names[region.material], box.x, box.y, box.width, box.height});
-    const AtlasRect* const old = found == known.end() ? nullptr : found->second;
-    const bool same = old != nullptr && (old->rotated ? old->height : old->width) == region.width() &&
-                      (old->rotated ? old->width : old->height) == region.height();
-    out.push_back(same ? old : nullptr);
-  }
-  return out;
-}
-
-// The side that no region of a page may exceed.
-int largest_cell(const RectOptions& options) {
-  if (options.form == PageForm::pages) return options.side;
-  if (options.form != PageForm::mixed) return options.largest_side;
-  int out = 1;
-  while (out <= options.side / 2) out *= 2;
-  return out;
-}
-
-std::string text_of(const RectSize& size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-
-// The region's material, and its texels with their gutter.
-std::string place_of(const Planning& in, const Cells& cells, std::size_t region) {
-  const Region& of = in.regions[region];
-  std::string out = in.names[of.material] + ": " + text_of({of.width(), of.height()}) + " texels";
-  if (cells.gutters[region] > 0)
-    out += ", " + text_of(cells.sizes[region]) + " with a gutter of " + std::to_string(cells.gutters[region]);
-  return out;
-}
-
-// Throws Error for the first region that no page can hold, and says what would hold it.
-void check_sizes(const Planning& in, const Cells& cells, const RectOptions& options) {
-  const int most = largest_cell(options);
-  for (std::size_t i = 0; i < in.regions.size(); ++i) {
-    const Region& region = in.regions[i];
-    const int side = std::max(cells.sizes[i].width, cells.sizes[i].height);
-    if (region.own_page || side <= most) continue;
-    std::string help = setting("page") + " " + std::to_string(side);
-    if (side <= options.largest_side)
-      help = setting("page-form") + " free";
-    else if (std::max(region.width(), region.height()) <= most)
-      help += " or " + setting("gutter") + " 0";
-    throw Error(place_of(in, cells, i) + "; expected at most " + std::to_string(most) + " a side (" + help +
-                " would do)");
-  }
-}
-
-// One page holds each region, but not all of them.
-[[noreturn]] void refuse_too_many(const Planning& in, const Cells& cells,
-                                  const std::vector<std::size_t>& which, const RectOptions& options) {
-  const auto area = [&](std::size_t i) {
-    return static_cast<std::uint64_t>(cells.sizes[i].width) *
-           static_cast<std::uint64_t>(cells.sizes[i].height);
-  };
-  std::uint64_t all = 0;
-  std::size_t largest = which.front();
-  for (const std::size_t i : which) {
-    all += area(i);
-    if (area(i) > area(largest)) largest = i;
-  }
-  const std::string side = std::to_string(options.largest_side);
-  throw Error(std::to_string(which.size()) + " regions, the largest of " + place_of(in, cells, largest) +
-              ", of together " + std::to_string(all) + " texels do not fit one page; expected at most " +
-              side + " x " + side + " (" + setting("page-form") + " mixed or a larger " + setting("page") +
-              " would do)");
-}
-
-bool fits(const Planning& in, const Cells& cells) {
-  for (std::size_t i = 0; i < in.regions.size(); ++i)
-    if (!in.regions[i].own_page &&
-        std::max(cells.sizes[i].width, cells.sizes[i].height) > in.options.rects.largest_side)
-      return false;
-  return true;
-}
-
 // Regions that lack a texture may be a group of pages by themselves.
 bool may_be_apart(const Planning& in) {
   return in.options.split_textures && std::any_of(in.regions.begin(), in.regions.end(), [](const Region& r) {
            return !r.own_page && !(r.in[0] && r.in[1]);
          });
-}
-
-// Regions of the earlier layout that are the same and lie elsewhere.
-std::size_t moved(const Planning& in, const PackingPlan& plan) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < in.regions.size(); ++i) {
-    const AtlasRect* old = in.earlier[i];
-    const PlannedPlace& now = plan.places[i];
-    if (old != nullptr &&
-        std::tie(old->page, old->x, old->y, old->rotated) != std::tie(now.page, now.x, now.y, now.rotated))
-      ++count;
-  }
-  return count;
-}
-
-// The clean mips that unchanged regions had at most; 0 where the choice of mips itself is another one now.
-int earlier_limit(const Planning& in) {
-  const bool gutters = !std::any_of(in.previous->rects.begin(), in.previous->rects.end(),
-                                    [](const AtlasRect& rect) { return rect.inset > 0; });
-  const Cells cells = cells_of(in.regions, in.options, gutters);
-  int most = 0;
-  for (std::size_t i = 0; i < in.regions.size(); ++i) {
-    const AtlasRect* old = in.regions[i].own_page ? nullptr : in.earlier[i];
-    if (old == nullptr) continue;
-    if (old->mips != cells.clean[i] || old->gutter != cells.gutters[i]) return 0;
-    most = std::max(most, old->mips);
-  }
-  return most;
 }
 
 PackingPlan empty_plan(const Planning& in) {
@@ -236,42 +61,17 @@ void add_own_page(const Planning& in, std::size_t i, PackingPlan& plan) {
   plan.pages.push_back({width, height, in.options.split_textures ? region.in : std::array{true, true}});
 }
 
-// Where the same regions were, on the pages of the same kind.
-std::optional<PreviousRects> previous_rects(const Planning& in, const Cells& cells,
-                                            const std::vector<std::size_t>& which, std::array<bool, 2> has) {
-  if (in.previous == nullptr) return std::nullopt;
-  PreviousRects out;
-  std::map<int, int> page_number;  // in the old layout: among the pages of this kind
-  for (std::size_t p = 0; p < in.previous->pages.size(); ++p) {
-    const AtlasPage& page = in.previous->pages[p];
-    if (page.files[0].empty() == has[0] || page.files[1].empty() == has[1]) continue;
-    page_number[static_cast<int>(p)] = static_cast<int>(out.pages.size());
-    out.pages.push_back({page.width, page.height});
-  }
-  out.most_extra_area = std::numeric_limits<double>::max();  // the area of the whole plan is judged later
-  for (const std::size_t i : which) {
-    std::optional<RectPlace> place;
-    const AtlasRect* old = in.earlier[i];
-    if (old != nullptr && page_number.contains(old->page)) {
-      place = old_place(*old, cells, cells.gutters[i]);
-      if (place) place->page = page_number[old->page];
-    }
-    out.places.push_back(place);
-  }
-  return out;
-}
-
 // Packs as `options` say, and where that is not possible says why.
 RectLayout packed_as_said(const Planning& in, const Cells& cells, const std::vector<std::size_t>& which,
                           const std::vector<RectSize>& sizes, const RectOptions& options,
                           const PreviousRects* previous) {
-  check_sizes(in, cells, options);
+  planning::check_sizes(in, cells, options);
   if (options.form == PageForm::pages || options.form == PageForm::mixed)
     return pack_rects(sizes, options, previous);
   try {
     return pack_rects(sizes, options, previous);
   } catch (const Error&) {
-    refuse_too_many(in, cells, which, options);
+    planning::refuse_too_many(in, cells, which, options);
   }
 }
 
@@ -315,7 +115,7 @@ void add_pages(const Planning& in, const Cells& cells, const std::vector<std::si
   options.align = std::max(options.align, cells.align);
   if (cells.align > 1 && options.form != PageForm::strip)
     options.multiple = std::max(options.multiple, cells.align);
-  const std::optional<PreviousRects> previous = previous_rects(in, cells, which, has);
+  const std::optional<PreviousRects> previous = planning::previous_rects(in, cells, which, has);
   const RectLayout layout = plan.shapes.empty()
                                 ? packed(in, cells, which, sizes, options, previous ? &*previous : nullptr)
                                 : packed_outlines(cells, which, options, plan.shapes);
@@ -402,14 +202,14 @@ PackingPlan least_plan(const Planning& in) {
 PackingPlan steadiest_plan(const Planning& in, PackingPlan fresh) {
   const double allowed = static_cast<double>(fresh.page_texels()) * (1 + in.options.most_extra_area);
   PackingPlan best = std::move(fresh);
-  best.moved = moved(in, best);
+  best.moved = planning::moved(in, best);
   const auto offer = [&](PackingPlan plan) {
-    plan.moved = moved(in, plan);
+    plan.moved = planning::moved(in, plan);
     const auto rank = [](const PackingPlan& p) { return std::make_tuple(p.moved, p.page_texels()); };
     if (static_cast<double>(plan.page_texels()) <= allowed && rank(plan) < rank(best)) best = std::move(plan);
   };
   // A new region with more clean mips than any before it would move all others to a coarser grid.
-  const int limits[] = {0, earlier_limit(in)};
+  const int limits[] = {0, planning::earlier_limit(in)};
   for (std::size_t k = 0; k < 2 && best.moved > 0; ++k) {
     if (k > 0 && limits[k] == 0) break;
     for (const bool gutters : {true, false}) {
@@ -440,26 +240,13 @@ int PackingPlan::clean_levels(int page) const {
   return out;
 }
 
-int default_clean_levels(int width, int height) {
-  return 1 + log2_floor(std::max(1, std::min(width, height) / 32));
-}
-
-int levels_wanted(int asked, int read) {
-  constexpr int all = 16;
-  return std::min(asked == 0 ? all : asked, read == 0 ? all : read);
-}
-
-int clean_levels(int width, int height, int wanted, std::optional<int> gutter) {
-  const bool given = gutter && *gutter > 0;
-  return std::min(wanted, given ? 1 + log2_floor(*gutter) : default_clean_levels(width, height));
-}
-
 PackingPlan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,
                        const PlanOptions& options, const AtlasLayout* previous) {
   PackingPlan fresh = least_plan({regions, names, options});
   if (previous == nullptr) return fresh;
-  return steadiest_plan({regions, names, options, previous, earlier_rects(regions, names, *previous)},
-                        std::move(fresh));
+  return steadiest_plan(
+      {regions, names, options, previous, planning::earlier_rects(regions, names, *previous)},
+      std::move(fresh));
 }
 
 }  // namespace etak
