@@ -92,14 +92,20 @@ RectLayout packed(const Planning& in, const Cells& cells, const std::vector<std:
 
 // The same of cells that are no rectangles: one page of any sides.
 RectLayout packed_outlines(const Cells& cells, const std::vector<std::size_t>& which,
-                           const RectOptions& options, const std::vector<MaskShape>& all) {
+                           const RectOptions& options, const std::vector<MaskShape>& all,
+                           std::optional<PreviousRects> previous) {
   RectOptions units = options;
   const int multiple = std::max(options.multiple, block);
   units.multiple = multiple / std::gcd(multiple, cells.align);
   units.largest_side = options.largest_side / cells.align;
   std::vector<MaskShape> shapes;
   for (const std::size_t i : which) shapes.push_back(all[i]);
-  std::optional<RectLayout> out = pack_masks(shapes, units);
+  if (previous) {
+    for (RectSize& page : previous->pages) page = {page.width / cells.align, page.height / cells.align};
+    for (std::optional<RectPlace>& place : previous->places)
+      if (place) place->x /= cells.align, place->y /= cells.align;
+  }
+  std::optional<RectLayout> out = pack_masks(shapes, units, previous ? &*previous : nullptr);
   if (!out) throw Error("the outlines of " + std::to_string(which.size()) + " regions fit no page");
   for (RectSize& page : out->pages) page = {page.width * cells.align, page.height * cells.align};
   for (RectPlace& place : out->places) place.x *= cells.align, place.y *= cells.align;
@@ -115,10 +121,11 @@ void add_pages(const Planning& in, const Cells& cells, const std::vector<std::si
   options.align = std::max(options.align, cells.align);
   if (cells.align > 1 && options.form != PageForm::strip)
     options.multiple = std::max(options.multiple, cells.align);
-  const std::optional<PreviousRects> previous = planning::previous_rects(in, cells, which, has);
-  const RectLayout layout = plan.shapes.empty()
-                                ? packed(in, cells, which, sizes, options, previous ? &*previous : nullptr)
-                                : packed_outlines(cells, which, options, plan.shapes);
+  const bool outlines = !plan.shapes.empty();
+  const std::optional<PreviousRects> previous = planning::previous_rects(in, cells, which, has, outlines);
+  const RectLayout layout = outlines
+                                ? packed_outlines(cells, which, options, plan.shapes, previous)
+                                : packed(in, cells, which, sizes, options, previous ? &*previous : nullptr);
   const int first = static_cast<int>(plan.pages.size());
   for (RectSize page : layout.pages) {
     if (options.form == PageForm::free || options.form == PageForm::square)
@@ -131,11 +138,10 @@ void add_pages(const Planning& in, const Cells& cells, const std::vector<std::si
     const int gutter = cells.gutters[i];
     const int width = at.rotated ? sizes[k].height : sizes[k].width;
     const int height = at.rotated ? sizes[k].width : sizes[k].height;
-    // The rounding up of a shape's height lies on the left of it where the shape is turned.
-    const int left = !plan.shapes.empty() && at.rotated ? width - in.regions[i].height() - 2 * gutter : 0;
+    const int left = planning::columns_left(in.regions[i], sizes[k], gutter, outlines, at.rotated);
     plan.places[i] = {first + at.page, at.x + left + gutter,       at.y + gutter, at.rotated, gutter,
                       cells.clean[i],  {at.x, at.y, width, height}};
-    if (!plan.shapes.empty())
+    if (outlines)
       plan.places[i].cell_texels = count_of(plan.shapes[i].runs) * static_cast<std::uint64_t>(cells.align) *
                                    static_cast<std::uint64_t>(cells.align);
   }
@@ -245,7 +251,7 @@ PackingPlan plan_pages(const std::vector<Region>& regions, const std::vector<std
   PackingPlan fresh = least_plan({regions, names, options});
   if (previous == nullptr) return fresh;
   return steadiest_plan(
-      {regions, names, options, previous, planning::earlier_rects(regions, names, *previous)},
+      {regions, names, options, previous, planning::earlier_places(regions, names, *previous)},
       std::move(fresh));
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -12,120 +11,13 @@
 
 #include "core/base/parallel.h"
 #include "core/rects/index.h"
+#include "core/rects/mask_page.h"
 
 namespace etak {
 namespace {
 
-using Word = std::uint64_t;
-constexpr int word_bits = 64;
-constexpr Word all_ones = ~Word{0};
-
-using rects::at;
-
-int log2_floor(int value) {
-  return std::bit_width(static_cast<unsigned>(value)) - 1;
-}
-
-/// A shape with its longest runs first: these find soonest that no column of a row is free.
-struct Ready {
-  MaskShape shape;
-  RowRuns longest_first;
-  std::int64_t area = 0;
-
-  explicit Ready(MaskShape of) : shape(std::move(of)), longest_first(shape.runs) {
-    std::stable_sort(longest_first.begin(), longest_first.end(),
-                     [](const RowRun& a, const RowRun& b) { return a.end - a.begin > b.end - b.begin; });
-    area = static_cast<std::int64_t>(count_of(shape.runs));
-  }
-};
-
-struct MaskSpot {
-  int x = 0, y = 0;
-};
-
-/// A page of a fixed width.
-class MaskPage {
- public:
-  MaskPage(int width, int height)
-      : width_(width),
-        words_((width + word_bits - 1) / word_bits),
-        stride_(at(words_) + 1),  // a word of zeros behind each row
-        levels_(at(log2_floor(width) + 1), std::vector<Word>(stride_ * at(height), 0)),
-        taken_(at(words_)) {}
-
-  /// The lowest row up to `last`, and there the leftmost column, at which the shape is free.
-  std::optional<MaskSpot> find(const Ready& of, int last) {
-    if (of.shape.width > width_) return std::nullopt;
-    const int columns = width_ - of.shape.width + 1, words = (columns + word_bits - 1) / word_bits;
-    const Word beyond = columns % word_bits == 0 ? 0 : all_ones << (columns % word_bits);
-    for (int y = 0; y <= last; ++y) {
-      std::fill_n(taken_.begin(), words, Word{0});
-      taken_[at(words - 1)] = beyond;
-      if (!any_free(of, y, words)) continue;
-      for (int i = 0; i < words; ++i)
-        if (taken_[at(i)] != all_ones) return MaskSpot{i * word_bits + std::countr_one(taken_[at(i)]), y};
-    }
-    return std::nullopt;
-  }
-
-  void put(const MaskShape& shape, const MaskSpot& spot) {
-    for (std::size_t i = 0; i < shape.runs.size(); ++i) {
-      const RowRun& run = shape.runs[i];
-      set(row(0, spot.y + run.row), spot.x + run.begin, spot.x + run.end);
-      if (i + 1 == shape.runs.size() || shape.runs[i + 1].row != run.row) widen(spot.y + run.row);
-    }
-  }
-
- private:
-  Word* row(int level, int y) { return levels_[at(level)].data() + stride_ * at(y); }
-
-  static void set(Word* row, int begin, int end) {
-    for (int i = begin / word_bits; i <= (end - 1) / word_bits; ++i) {
-      const int from = std::max(begin - i * word_bits, 0), to = std::min(end - i * word_bits, word_bits);
-      row[i] |= (all_ones << from) & (all_ones >> (word_bits - to));
-    }
-  }
-
-  /// Bit x of level k says whether any of the units x .. x + 2^k - 1 is taken.
-  void widen(int y) {
-    for (int k = 1; k < static_cast<int>(levels_.size()); ++k) {
-      const Word* const from = row(k - 1, y);
-      Word* const to = row(k, y);
-      const int shift = 1 << (k - 1), words = shift / word_bits, bits = shift % word_bits;
-      for (int i = 0; i < words_; ++i) {
-        const Word low = i + words < words_ ? from[i + words] : 0;
-        const Word high = i + words + 1 < words_ ? from[i + words + 1] : 0;
-        to[i] = from[i] | (bits == 0 ? low : low >> bits | high << (word_bits - bits));
-      }
-    }
-  }
-
-  /// Adds to taken_ the columns at which a run of the shape meets what lies there.
-  bool any_free(const Ready& of, int y, int words) {
-    for (const RowRun& run : of.longest_first) {
-      const int level = log2_floor(run.end - run.begin);
-      const Word* const here = row(level, y + run.row);
-      const int second = run.end - (1 << level);
-      const Word *const a = here + run.begin / word_bits, *const b = here + second / word_bits;
-      const int a_bits = run.begin % word_bits, b_bits = second % word_bits;
-      Word all = all_ones;
-      for (int i = 0; i < words; ++i) {
-        // Shifting by one and then by the rest leaves nothing where the rest is a whole word.
-        const Word first = a[i] >> a_bits | a[i + 1] << 1 << (word_bits - 1 - a_bits);
-        const Word last = b[i] >> b_bits | b[i + 1] << 1 << (word_bits - 1 - b_bits);
-        taken_[at(i)] |= first | last;
-        all &= taken_[at(i)];
-      }
-      if (all == all_ones) return false;
-    }
-    return true;
-  }
-
-  int width_, words_;
-  std::size_t stride_;
-  std::vector<std::vector<Word>> levels_;
-  std::vector<Word> taken_;
-};
+using rects::at, rects::MaskPage, rects::put_lowest;
+using Ready = rects::ReadyMask;
 
 struct Order {
   std::string_view name;
@@ -234,20 +126,11 @@ class MaskSearch {
     MaskPage page(of.width, height);
     int bottom = 0;
     for (const std::size_t i : sorted_[of.order]) {
-      std::optional<MaskSpot> spot = page.find(upright_[i], height - upright_[i].shape.height);
-      bool is_turned = false;
-      if (options_.rotate) {
-        const int other = height - turned_[i].shape.height;
-        const std::optional<MaskSpot> second = page.find(turned_[i], other);
-        const auto end = [](const MaskSpot& s, const Ready& r) { return s.y + r.shape.height; };
-        is_turned = second && (!spot || end(*second, turned_[i]) < end(*spot, upright_[i]));
-        if (is_turned) spot = second;
-      }
-      if (!spot) return {};
-      const MaskShape& shape = (is_turned ? turned_ : upright_)[i].shape;
-      page.put(shape, *spot);
-      out.places[i] = {0, spot->x, spot->y, is_turned};
-      bottom = std::max(bottom, spot->y + shape.height);
+      const auto place = put_lowest(page, upright_[i], options_.rotate ? &turned_[i] : nullptr, height);
+      if (!place) return {};
+      out.places[i] = *place;
+      const MaskShape& shape = upright_[i].shape;
+      bottom = std::max(bottom, place->y + (place->rotated ? shape.width : shape.height));
     }
     const int multiple = options_.multiple;
     out.page = {of.width, (bottom + multiple - 1) / multiple * multiple};
@@ -283,8 +166,11 @@ MaskShape turned(const MaskShape& shape) {
   return out;
 }
 
-std::optional<RectLayout> pack_masks(std::span<const MaskShape> shapes, const RectOptions& options) {
+std::optional<RectLayout> pack_masks(std::span<const MaskShape> shapes, const RectOptions& options,
+                                     const PreviousRects* previous) {
   if (shapes.empty()) return std::nullopt;
+  if (previous != nullptr && previous->pages.size() == 1)
+    if (std::optional<RectLayout> kept = rects::keep_masks(shapes, options, *previous)) return kept;
   std::optional<RectLayout> out;
   int tries = 0;
   for (const bool rotate : {false, true}) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """stored_mips.py ETAK COUNT [--seed N]: packs COUNT random scenes of islands into pages whose mips are stored, and compares
-what triangles read there on each level that layout.json calls free of neighbours with the mips of the source. Shares no code
-with etak. A text is printed for each fault; ends with 1 where there is one, or where no island was packed by its outline.
+what triangles read there on each level that layout.json calls free of neighbours with the mips of the source. Of a third of
+the scenes a part is packed before, whose islands must stay where they are (--previous). Shares no code with etak. A text is printed for each fault; ends with 1 where there is one, or where no island was packed by its outline.
 
 Based on: Khronos Group, glTF 2.0, and KHR_materials_pbrSpecularGlossiness (archived); Microsoft, Programming Guide for DDS;
 Toksvig 2005, with Olano and Baker 2010 (the variance of normals adds to the squared width of the lobe, twice)."""
@@ -77,12 +77,14 @@ class Islands(Generator):
             m["normalTexture"] = self.picture(size, "normal")
         self.root["materials"].append(m)
 
-    def write(self):
+    def write(self, share=1):
+        """share: of the triangles, the first of each material's."""
         for index in range(self.rng.choice((1, 2))):
             self.material()
             # Some end at an edge of the picture, beyond which filtering reads what the sampler wraps to.
             corners = [[min(max(c, 0.0), 1.0) for c in uv]
                        for triangle in charts(self.rng, self.rng.choice((2, 4, 6))) for uv in triangle]
+            corners = corners[:3 * math.ceil(share * (len(corners) // 3))]
             self.root["meshes"].append({"primitives": [{"material": index, "attributes": {
                 "POSITION": self.accessor([[*uv, 0.0] for uv in corners], bounds=True),
                 "TEXCOORD_0": self.accessor(corners)}}]})
@@ -257,14 +259,33 @@ def options_of(seed):
     return out
 
 
+def shifts(layout):
+    """Where the islands of several pieces lie: a shift of the picture to the page for each."""
+    out = {}
+    for r in layout["rects"]:
+        x, y, w, h = r["crop"]
+        shift = (r["x"] + y + h, r["y"] - x, True) if r["rotated"] else (r["x"] - x, r["y"] - y, False)
+        out.setdefault((r["name"], r.get("island", 0)), []).append(shift)
+    return {(name, of[0]) for (name, _), of in out.items() if len(of) > 1}
+
+
+def pack(etak, source, out, options):
+    command = [str(etak), "pack", str(source), "-o", str(out), "--no-validate", "-q", "-j", "1", *options]
+    subprocess.run(command, check=True, timeout=60)
+    return json.loads((out / "layout.json").read_text()), command
+
+
 def check(etak, seed, folder):
-    """Returns the comparison, and how many outlines of several pieces there are."""
+    """Returns the comparison, how many outlines of several pieces there are, and how many of these stayed where they were."""
+    options, earlier, stayed = options_of(seed), None, 0
+    if seed % 3 == 0:
+        (folder / "part").mkdir()
+        earlier, _ = pack(etak, Islands(seed, folder / "part").write(0.6), folder / "earlier", options)
+        options += ["--previous", str(folder / "earlier" / "layout.json"), "--extra-area", "100"]
     source = Islands(seed, folder).write()
     out = folder / "out"
-    command = [str(etak), "pack", str(source), "-o", str(out), "--no-validate", "-q", "-j", "1", *options_of(seed)]
-    subprocess.run(command, check=True, timeout=60)
+    layout, command = pack(etak, source, out, options)
     before, after = Scene(source), Scene(out / "scene.gltf")
-    layout = json.loads((out / "layout.json").read_text())
     comparison, pages, rng = Comparison("--bleed" in command), {}, random.Random(seed)
     names = [(r["name"], r.get("island", 0)) for r in layout["rects"]]
     for old, new in zip(before.primitives(), after.primitives(), strict=True):
@@ -284,7 +305,9 @@ def check(etak, seed, folder):
                for uv in after.accessor(new["attributes"][f"TEXCOORD_{written.set}"])]
         for a, b in zip(elements_of(before, old), elements_of(after, new), strict=True):
             comparison.place(mips, pages[page], rects, [was[i] for i in a], [now[i] for i in b], rng)
-    return comparison, sum(names.count(name) > 1 for name in set(names)), command
+    if earlier:
+        stayed = len(shifts(earlier) & shifts(layout))
+    return comparison, sum(names.count(name) > 1 for name in set(names)), stayed, command
 
 
 def main():
@@ -293,21 +316,22 @@ def main():
     parser.add_argument("count", type=int)
     parser.add_argument("--seed", type=int, default=1, help="of the first scene; each further one has the next number")
     args = parser.parse_args()
-    texels = outlines = faults = 0
+    texels = outlines = stayed = faults = 0
     by_level = {}
     for seed in range(args.seed, args.seed + args.count):
         with tempfile.TemporaryDirectory() as name:
-            comparison, pieces, command = check(args.etak, seed, Path(name))
+            comparison, pieces, kept, command = check(args.etak, seed, Path(name))
         for text in comparison.faults:
             print(f"scene {seed}: {text}\n  {' '.join(command)}", flush=True)
         faults += len(comparison.faults)
         texels += comparison.texels
         outlines += pieces
+        stayed += kept
         for level, count in comparison.by_level.items():
             by_level[level] = by_level.get(level, 0) + count
-    print(f"{args.count} scenes, {outlines} outlines, {texels:,} texels compared (by level: "
+    print(f"{args.count} scenes, {outlines} outlines, of which {stayed} stayed, {texels:,} texels compared (by level: "
           f"{', '.join(str(by_level[k]) for k in sorted(by_level))}), {faults} faults")
-    return 1 if faults or outlines == 0 or len(by_level) < 2 else 0
+    return 1 if faults or outlines == 0 or stayed == 0 or len(by_level) < 2 else 0
 
 
 if __name__ == "__main__":

@@ -262,9 +262,17 @@ PackDecision decided(Way way, const PackOptions& options, const PackSource& sour
   return out;
 }
 
-// Whether islands may lie in each other's boxes. That is done on one page of any sides.
+// Whether some islands of a layout are several rectangles.
+bool has_outlines(const AtlasLayout& layout) {
+  return std::ranges::adjacent_find(layout.rects, [](const AtlasRect& a, const AtlasRect& b) {
+           return a.name == b.name && a.island == b.island && a.holds == b.holds;
+         }) != layout.rects.end();
+}
+
+// Whether islands may lie in each other's boxes. That is done on one page of any sides, and what lies in boxes stays so.
 bool may_outline(const PackOptions& options, const PackSource& source, const AtlasLayout* previous) {
-  return options.leave_out.islands && source.scene && !source.one_page && previous == nullptr &&
+  return options.leave_out.islands && source.scene && !source.one_page &&
+         (previous == nullptr || has_outlines(*previous)) &&
          options.layout.form.value_or(PageForm::free) == PageForm::free;
 }
 
@@ -300,6 +308,11 @@ std::vector<PackDecision> decide(const PackOptions& options, const PackSource& s
     out.push_back(decided(Way::islands, options, source, previous, found));
   if (may_outline(options, source, previous)) try {
       PackDecision outlines = decided(Way::outlines, options, source, previous, found);
+      if (previous != nullptr && outlines.plan.kept_previous) {
+        // They stay where they are, though boxes that all move might take less.
+        out[0] = std::move(outlines);
+        return out;
+      }
       if (outlines.plan.page_texels() < out[0].plan.page_texels()) out[0] = std::move(outlines);
     } catch (const Error&) {  // outlines take one page, and boxes may take several
     }

@@ -98,4 +98,51 @@ TEST_CASE("shapes that no page holds have no layout") {
   CHECK(!pack_masks(std::vector<MaskShape>(5, shape_of(1, 1, {"#"})), options));
 }
 
+TEST_CASE("shapes of an earlier page stay where they were, and others go around them") {
+  std::mt19937 random(21);
+  for (int round = 0; round < 12; ++round) {
+    std::vector<MaskShape> shapes;
+    for (int i = 0; i < 24; ++i) {
+      const int side = 4 + static_cast<int>(random() % 70);
+      shapes.push_back(scribble(random, side, 6 * side));
+    }
+    RectOptions options;
+    options.multiple = 1 + static_cast<int>(random() % 4);
+    options.rotate = round % 2 == 1;
+    const auto old = pack_masks(shapes, options);
+    REQUIRE(old);
+    // A third of the shapes is gone, as many are new, and two more come.
+    PreviousRects previous{old->pages, {}};
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      if (i % 3 == 0) shapes[i] = scribble(random, 10 + static_cast<int>(random() % 60), 200);
+      previous.places.push_back(i % 3 == 0 ? std::nullopt : std::optional(old->places[i]));
+    }
+    for (int i = 0; i < 2; ++i) {
+      shapes.push_back(scribble(random, 80, 600));
+      previous.places.push_back(std::nullopt);
+    }
+    const auto now = pack_masks(shapes, options, &previous);
+    REQUIRE(now);
+    CHECK(now->kept_previous);
+    CHECK(fault(shapes, *now).empty());
+    CHECK(now->pages[0].width % options.multiple == 0);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      if (previous.places[i]) CHECK(now->places[i] == *previous.places[i]);
+  }
+}
+
+TEST_CASE(
+    "a shape that would meet another at its earlier place goes elsewhere, and one beyond the page too") {
+  const std::vector<MaskShape> shapes{shape_of(2, 2, {"##", "##"}), shape_of(2, 1, {"##"}),
+                                      shape_of(1, 1, {"#"})};
+  const PreviousRects previous{{{4, 2}}, {RectPlace{0, 0, 0}, RectPlace{0, 1, 1}, RectPlace{0, 7, 0}}};
+  const auto now = pack_masks(shapes, {}, &previous);
+  REQUIRE(now);
+  CHECK(fault(shapes, *now).empty());
+  CHECK(now->places[0] == RectPlace{0, 0, 0});
+  // Where the page of the earlier layout is of no use, the layout is a new one.
+  const PreviousRects none{{{4, 2}}, {std::nullopt, std::nullopt, std::nullopt}};
+  CHECK_FALSE(pack_masks(shapes, {}, &none)->kept_previous);
+}
+
 }  // namespace etak::test
