@@ -14,7 +14,7 @@ int units(int texels, int unit) {
   return (texels + unit - 1) / unit;
 }
 
-// The region's texels as squares of `step` texels of its box, row by row.
+// The region's texels as squares of `step` texels of its box as stored, row by row.
 enum BlockState : std::uint8_t { not_needed, needed, in_piece };
 struct Blocks {
   int step, width, height;
@@ -22,12 +22,13 @@ struct Blocks {
 };
 Blocks blocks_of(const Region& region, int clean_levels) {
   Blocks out{1 << (clean_levels - 1), 0, 0, {}};
-  out.width = units(region.box.width, out.step);
-  out.height = units(region.box.height, out.step);
+  const PixelBox box = stored_box(region);
+  out.width = units(box.width, out.step);
+  out.height = units(box.height, out.step);
   out.state.assign(index(0, out.height, out.width), not_needed);
   for (const RowRun& run : region.texels)
-    for (int x = (run.begin - region.box.x) / out.step; x <= (run.end - 1 - region.box.x) / out.step; ++x)
-      out.state[index(x, (run.row - region.box.y) / out.step, out.width)] = needed;
+    for (int x = (run.begin - box.x) / out.step; x <= (run.end - 1 - box.x) / out.step; ++x)
+      out.state[index(x, (run.row - box.y) / out.step, out.width)] = needed;
   return out;
 }
 
@@ -100,16 +101,16 @@ class Cutter {
   }
 
  private:
-  // Columns and rows of the box of the region that some blocks are.
+  // Columns and rows of the box of the region, as stored, that some blocks are.
   PixelBox in_box(const PixelBox& blocks) const {
     const int x = blocks.x * blocks_.step, y = blocks.y * blocks_.step;
-    return {x, y, std::min(region_.box.width - x, blocks.width * blocks_.step),
-            std::min(region_.box.height - y, blocks.height * blocks_.step)};
+    return {x, y, std::min(region_.width() - x, blocks.width * blocks_.step),
+            std::min(region_.height() - y, blocks.height * blocks_.step)};
   }
   PixelBox on_page(const PixelBox& blocks) const {
     const PixelBox box = in_box(blocks);
     if (!place_.rotated) return {place_.x + box.x, place_.y + box.y, box.width, box.height};
-    return {place_.x + region_.box.height - box.y - box.height, place_.y + box.x, box.height, box.width};
+    return {place_.x + region_.height() - box.y - box.height, place_.y + box.x, box.height, box.width};
   }
   PixelBox cell_of(const PixelBox& blocks) const { return grown(on_page(blocks), place_.gutter); }
 
@@ -149,7 +150,9 @@ class Cutter {
     Region& piece = out.regions.emplace_back(region_);
     piece.texels.clear();
     piece.outline = outline;
-    piece.box = {region_.box.x + box.x, region_.box.y + box.y, box.width, box.height};
+    const int level = region_.shrink;
+    piece.box = {region_.box.x + (box.x << level), region_.box.y + (box.y << level), box.width << level,
+                 box.height << level};
     PlannedPlace& place = out.places.emplace_back(place_);
     place.x = page.x;
     place.y = page.y;

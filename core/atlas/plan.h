@@ -25,8 +25,8 @@ struct Region {
   bool own_page = false;               // a page of just its size, whose edges wrap
   int levels = 0;                      // mips that its samplers read, level 0 among them; 0: all
   int shrink = 0;                      // stored as the mip of this level: sides halved so many times
-  RowRuns texels =
-      {};  // of the picture: those of the box that are stored; empty: all. They are packed as they lie
+  // Of the level that is stored: those of the box that are kept; empty: all. They are packed as they lie.
+  RowRuns texels = {};
   int outline = 0;  // of pieces of one outline (outline_pieces.h) its number, from 1 on
 
   // Texels a side as stored.
@@ -38,6 +38,11 @@ struct Region {
   }
   friend bool operator==(const Region&, const Region&) = default;
 };
+
+/// The region's box in texels of the level that is stored.
+inline PixelBox stored_box(const Region& region) {
+  return {region.box.x >> region.shrink, region.box.y >> region.shrink, region.width(), region.height()};
+}
 
 /// How regions are placed on pages.
 struct PlanOptions {

@@ -19,13 +19,13 @@ std::optional<RectPlace> old_place(const EarlierPlace& at, const Cells& cells, i
 }
 
 // Boxes of a picture as texels of the level that is stored.
-PixelBox at_level(const PixelBox& box, int level) {
+PixelBox box_at(const PixelBox& box, int level) {
   return {box.x >> level, box.y >> level, box.width >> level, box.height >> level};
 }
 
 // Where the region lies if a rectangle of the layout is a part of it; none where it is stored at another size.
 std::optional<EarlierPlace> place_by(const AtlasRect& rect, const Region& region) {
-  const PixelBox box = at_level(region.box, region.shrink), crop = at_level(rect.crop, region.shrink);
+  const PixelBox box = box_at(region.box, region.shrink), crop = box_at(rect.crop, region.shrink);
   if ((rect.rotated ? rect.height : rect.width) != crop.width ||
       (rect.rotated ? rect.width : rect.height) != crop.height)
     return std::nullopt;
@@ -42,11 +42,11 @@ std::optional<EarlierPlace> place_by(const AtlasRect& rect, const Region& region
 bool hold(const std::vector<const AtlasRect*>& rects, const RowRun& run, int level) {
   for (int x = run.begin; x < run.end;) {
     const auto found = std::ranges::find_if(rects, [&](const AtlasRect* rect) {
-      const PixelBox crop = at_level(rect->crop, level);
+      const PixelBox crop = box_at(rect->crop, level);
       return crop.x <= x && x < crop.x + crop.width && crop.y <= run.row && run.row < crop.y + crop.height;
     });
     if (found == rects.end()) return false;
-    const PixelBox crop = at_level((*found)->crop, level);
+    const PixelBox crop = box_at((*found)->crop, level);
     x = crop.x + crop.width;
   }
   return true;

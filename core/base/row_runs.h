@@ -44,4 +44,22 @@ void add_row(RowRuns& runs, int row, int begin, int end, const Set& set) {
   }
 }
 
+/// The texels of a level that some texels of level 0 touch, 2^level of them to one.
+inline RowRuns at_level(const RowRuns& runs, int level) {
+  RowRuns out;
+  for (std::size_t first = 0; first < runs.size();) {
+    const int row = runs[first].row >> level;
+    RowRuns spans;
+    for (; first < runs.size() && runs[first].row >> level == row; ++first)
+      spans.push_back({row, runs[first].begin >> level, ((runs[first].end - 1) >> level) + 1});
+    std::ranges::sort(spans, {}, &RowRun::begin);
+    for (const RowRun& span : spans)
+      if (!out.empty() && out.back().row == row && span.begin <= out.back().end)
+        out.back().end = std::max(out.back().end, span.end);
+      else
+        out.push_back(span);
+  }
+  return out;
+}
+
 }  // namespace etak

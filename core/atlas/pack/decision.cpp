@@ -10,6 +10,7 @@
 #include "core/atlas/pack/scene/gltf_pack.h"
 #include "core/atlas/sources/apply_variants.h"
 #include "core/atlas/sources/pictures.h"
+#include "core/atlas/texels/place_outline.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/image/mips.h"
@@ -95,6 +96,61 @@ std::vector<Region> regions_needed(const PackOptions& options, const PackSource&
   return out;
 }
 
+// The pair of a material, and what is asked of the texels of a region.
+struct ResolutionJob {
+  const PackInput& material;
+  const MaterialPair& pair;
+  const PixelBox& box;
+  bool mask;
+  int unseen;  // halvings that nobody comes near enough to see
+  const PackOptions& options;
+  GlossForm gloss;
+
+  MipOptions mips(int levels) const {
+    MipOptions out;
+    out.levels = levels;
+    if (mask) out.alpha_cutoff = material.alpha_cutoff;
+    return out;
+  }
+  Resolution of(const MipPair& chain, const WrapBoth& wrap, const PixelBox& looked_at) const {
+    return resolution_of(chain, mask, wrap, looked_at, unseen, options.leave_out.max_error,
+                         options.run.threads);
+  }
+};
+
+// Of a box: its own mips.
+Resolution resolution_of_box(const ResolutionJob& job) {
+  const int levels = job.options.leave_out.max_error ? 0 : job.unseen + 1;
+  const MipPair chain =
+      region_chain(part_of(job.pair.diffuse_alpha, job.box), part_of(job.pair.specular_gloss, job.box),
+                   job.mips(levels), job.gloss, job.options.run.threads);
+  return job.of(chain, job.material.wrap_of(job.box), {0, 0, job.box.width, job.box.height});
+}
+
+// Of an outline: the picture's mips, of which filtering reads a texel beyond the box. Only levels that halve the picture
+// whole are such.
+Resolution resolution_of_outline(const ResolutionJob& job) {
+  Resolution out;
+  const PackInput& m = job.material;
+  for (int level = 1; (m.width | m.height) % (1 << level) == 0; ++level) {
+    const int step = 1 << level;
+    const PixelBox texels = grown(whole_texels(job.box, level), 1);
+    const PixelBox from{texels.x * step, texels.y * step, texels.width * step, texels.height * step};
+    MipPair chain = region_chain(texels_around(job.pair.diffuse_alpha, from, m.wrap),
+                                 texels_around(job.pair.specular_gloss, from, m.wrap), job.mips(level + 1),
+                                 job.gloss, job.options.run.threads);
+    PixelBox inside = common_part(from, {0, 0, m.width, m.height});
+    inside.x -= from.x;
+    inside.y -= from.y;
+    for (const Texture texture : both_textures) clamp_levels(chain.of(texture), inside, m.wrap);
+    const Resolution found = job.of(chain, {Wrap::clamp, Wrap::clamp},
+                                    {job.box.x - from.x, job.box.y - from.y, job.box.width, job.box.height});
+    if (found.shrink < level) break;
+    out = found;
+  }
+  return out;
+}
+
 // With how many texels a region is stored.
 Resolution resolution_for(const Region& region, const PackOptions& options, const PackInputs& inputs,
                           const std::vector<std::size_t>& users, FoundResolutions& found) {
@@ -106,31 +162,45 @@ Resolution resolution_for(const Region& region, const PackOptions& options, cons
     unseen = std::min(unseen, inputs.materials[user].facts.unseen);
     mask = mask || inputs.materials[user].alpha_mode == AlphaMode::mask;
   }
-  const bool asked = options.leave_out.max_error || unseen > 0;
+  const bool asked = options.leave_out.max_error || unseen > 0, outline = !region.texels.empty();
   if (!asked || options.leave_out.keep.contains("resolution")) return {};
-  const auto [known, fresh] = found.try_emplace(
-      std::array{static_cast<int>(region.material), box.x, box.y, box.width, box.height, unseen, int{mask}});
+  const auto [known, fresh] =
+      found.try_emplace(std::array{static_cast<int>(region.material), box.x, box.y, box.width, box.height,
+                                   unseen, int{mask}, int{outline}});
   if (!fresh) return known->second;
   std::vector<std::string> ignored;
   const MaterialPair pair = load_pair(m, ignored);
-  MipOptions mips;
-  mips.levels = options.leave_out.max_error ? 0 : unseen + 1;
-  if (mask) mips.alpha_cutoff = m.alpha_cutoff;
-  const MipPair chain = region_chain(part_of(pair.diffuse_alpha, box), part_of(pair.specular_gloss, box),
-                                     mips, inputs.gloss, options.run.threads);
-  return known->second = resolution_of(chain, mask, m.wrap_of(box), unseen, options.leave_out.max_error,
-                                       options.run.threads);
+  const ResolutionJob job{m, pair, box, mask, unseen, options, inputs.gloss};
+  return known->second = outline ? resolution_of_outline(job) : resolution_of_box(job);
 }
 
-// The region as it is stored with so many texels.
-Region stored(Region region, const Resolution& resolution) {
+// The region as it is stored with so many texels. An outline lies on whole texels of all mips of the picture that it keeps
+// clean.
+//   plan   of its options the levels and the gutter
+Region stored(Region region, const Resolution& resolution, const PackInput& m, const PlanOptions& plan) {
+  if (resolution.shrink == 0) return region;
   region.shrink = resolution.shrink;
   if (region.levels > 0) region.levels = std::max(1, region.levels - region.shrink);
+  if (region.texels.empty()) return region;
+  const int wanted = levels_wanted(plan.levels, region.levels);
+  for (PixelBox before{}; !(region.box == before);) {
+    before = region.box;
+    const int step = 1 << (clean_levels(region.width(), region.height(), wanted, plan.gutter) - 1);
+    const auto whole = [&](int& from, int& size, int most) {
+      const int texel = step << region.shrink,
+                end = std::min(most, (from + size + texel - 1) / texel * texel);
+      from = from / texel * texel;
+      size = end - from;
+    };
+    whole(region.box.x, region.box.width, m.width);
+    whole(region.box.y, region.box.height, m.height);
+  }
+  region.texels = at_level(region.texels, region.shrink);
   return region;
 }
 
 PlanOptions plan_options(const PackOptions& options, const PackSource& source, const PackDecision& way) {
-  const std::vector<Region>& regions = way.regions;
+  const std::vector<Region>& regions = way.parts;
   PlanOptions out;
   out.rects.form = options.layout.form.value_or(PageForm::mixed);
   out.rects.multiple = options.layout.multiple;
@@ -234,19 +304,19 @@ PackDecision decided(Way way, const PackOptions& options, const PackSource& sour
   out.whole = way == Way::whole;
   out.left_out = left_out_of(source, options, out);
   const Users users = users_by_owner(out.left_out.fates);
-  for (const Region& region : regions_needed(options, source, out, users)) {
+  out.parts = regions_needed(options, source, out, users);
+  PlanOptions plan = plan_options(options, source, out);
+  for (const Region& region : out.parts) {
     Resolution resolution = resolution_for(region, options, source.inputs, users[region.material], found);
-    Region fewer = stored(region, resolution);
-    // With fewer texels an outline is a mip of its box, which may have more texels than the outline has.
-    if (!region.texels.empty() && fewer.shrink > 0) fewer.texels.clear();
+    // Filtering at a higher level reads beyond the texels that are read at level 0, which are an outline's own.
+    if (!region.texels.empty() && plan.gutter == 0) resolution = {};
+    Region fewer = stored(region, resolution, source.inputs.materials[region.material], plan);
     if (fewer.area() > region.area()) fewer = region, resolution = {};
-    out.parts.push_back(region);
     out.resolutions.push_back(resolution);
     out.regions.push_back(std::move(fewer));
   }
   std::vector<std::string> names;
   for (const PackInput& m : source.inputs.materials) names.push_back(m.name);
-  PlanOptions plan = plan_options(options, source, out);
   try {
     out.plan = plan_pages(out.regions, names, plan, previous);
   } catch (const Error&) {

@@ -58,7 +58,7 @@ struct PackDecision {
 enum class Others { written, stay };
 
 /// Resolutions that were found, by all that they depend on: looking for one takes the material's texels.
-using FoundResolutions = std::map<std::array<int, 7>, Resolution>;
+using FoundResolutions = std::map<std::array<int, 8>, Resolution>;
 
 /// Decides of all materials together, from the facts that are known of them: what is left out, which regions
 /// the other texels are, with how many texels those are stored, and where they lie. Throws Error for a region

@@ -212,8 +212,9 @@ BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision&
                       "a larger " + setting("page") + ", or no " + setting("islands"));
     out.page = at.page;
     out.own_page = regions[r].own_page;
-    out.boxes.push_back(
-        {array_of(regions[r].box), transform_of(in, regions[r], at, page), regions[r].texels});
+    // Which of the boxes holds a triangle is asked in texels of level 0.
+    out.boxes.push_back({array_of(regions[r].box), transform_of(in, regions[r], at, page),
+                         regions[r].texels.empty() ? RowRuns{} : decision.parts[r].texels});
   }
   return out;
 }

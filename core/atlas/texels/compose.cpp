@@ -279,8 +279,9 @@ void Composer::region_mips(std::size_t region, PagePixels& pixels) {
   const int levels = std::min(pixels.levels(), clean_);
   const std::size_t owner = regions_[region].material;
   if (has_texels_around(regions_[region], materials_[owner])) {
-    // Gutters of level 0 have the picture's texels already.
-    if (levels == 1 && !options_.bleed && regions_[region].outline != 0) return;
+    // Gutters of level 0 have the picture's texels already, where that is the level that is stored.
+    if (levels == 1 && !options_.bleed && regions_[region].outline != 0 && regions_[region].shrink == 0)
+      return;
     const std::size_t pieces = end_of_outline(region) - region;
     return place_outline({{&regions_[region], pieces}, {&plan_.places[region], pieces}}, pair_of(owner),
                          normals_for(owner, levels), materials_[owner], levels, options_.gloss,

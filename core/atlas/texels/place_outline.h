@@ -32,9 +32,9 @@ struct OutlineOnPage {
     for (const PlannedPlace& place : places) out = around(out, place.cell);
     return out;
   }
-  /// The texels of the picture for a box of the page, which may lie beyond the picture's edges.
+  /// The texels of the stored level of the picture for a box of the page, which may lie beyond the picture's edges.
   PixelBox in_picture(const PixelBox& on_page) const {
-    const PixelBox& box = pieces[0].box;
+    const PixelBox box = stored_box(pieces[0]);
     const PlannedPlace& at = places[0];
     if (!at.rotated)
       return {box.x + on_page.x - at.x, box.y + on_page.y - at.y, on_page.width, on_page.height};
@@ -71,21 +71,31 @@ void clamp_levels(std::vector<Pixels<Value>>& levels, PixelBox inside, const Wra
   }
 }
 
-/// Levels [0, levels) of a part with their gutters.
+/// Levels [0, levels) of a part with their gutters, of which the first is a level of the picture that its regions name.
 ///   whole     the pictures of its material
 ///   normals   of the same size; null: none, or not needed
 ///   page      as of place_levels()
 template <class Pair, class Page>
 void place_outline(const OutlineOnPage& outline, const Pair& whole, const Image8* normals, const PackInput& m,
                    int levels, GlossForm gloss, bool bleed, const Page& page) {
-  const PixelBox cells = outline.cells(), from = outline.in_picture(cells);
+  const int first = outline.pieces[0].shrink;
+  const PixelBox cells = outline.cells(), stored = outline.in_picture(cells);
+  const PixelBox from{stored.x * (1 << first), stored.y * (1 << first), stored.width << first,
+                      stored.height << first};
   auto a = texels_around(whole.diffuse_alpha, from, m.wrap),
        b = texels_around(whole.specular_gloss, from, m.wrap);
   if (bleed) bleed_under_alpha(a, b);
-  MipOptions options = mip_options(m, levels);
+  MipOptions options = mip_options(m, first + levels);
   std::optional<Image8> around_here;
   if (normals != nullptr) options.normals = &around_here.emplace(texels_around(*normals, from, m.wrap));
   auto chain = region_chain(a, b, options, gloss);
+  if (first > 0 && normals != nullptr) {
+    // The level that is stored is looked at with its normals; those after it stand for their spread.
+    options.levels = first + 1;
+    options.normals = nullptr;
+    chain.specular_gloss[static_cast<std::size_t>(first)] =
+        std::move(region_chain(a, b, options, gloss).specular_gloss.back());
+  }
   PixelBox inside = common_part(from, {0, 0, m.width, m.height});
   inside.x -= from.x;
   inside.y -= from.y;
@@ -94,12 +104,12 @@ void place_outline(const OutlineOnPage& outline, const Pair& whole, const Image8
     for (int l = 0; l < levels; ++l) {
       const auto out = page(texture, l);
       if (out.data == nullptr) break;
-      const auto& image = chain.of(texture)[static_cast<std::size_t>(l)];
+      const auto& image = chain.of(texture)[static_cast<std::size_t>(first + l)];
       for (const PlannedPlace& place : outline.places) {
         const PixelBox part = outline.in_picture(place.cell);
         copy_texels(view(image),
-                    {(part.x - from.x) >> l, (part.y - from.y) >> l, part.width >> l, part.height >> l}, out,
-                    place.cell.x >> l, place.cell.y >> l, place.rotated);
+                    {(part.x - stored.x) >> l, (part.y - stored.y) >> l, part.width >> l, part.height >> l},
+                    out, place.cell.x >> l, place.cell.y >> l, place.rotated);
       }
     }
   }

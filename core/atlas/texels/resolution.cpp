@@ -191,17 +191,17 @@ template MipPairFloat levels_from(int, int, const Image&, const Image&, const Pa
                                   GlossForm, unsigned);
 
 ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,
-                                 double enough, unsigned threads) {
+                                 const PixelBox& looked_at, double enough, unsigned threads) {
   const Sampler a(whole, wrap), b(fewer, wrap);
   const double across = static_cast<double>(b.width()) / a.width(),
                down = static_cast<double>(b.height()) / a.height();
-  const auto rows = 2 * static_cast<std::size_t>(a.height()) + 1;
+  const auto rows = 2 * static_cast<std::size_t>(looked_at.height) + 1;
   std::vector<ResolutionError> worst(rows);
   std::atomic<bool> stop{false};
   parallel_chunks(rows, threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t row = begin; row < end && !stop; ++row)
-      for (int column = 0; column <= 2 * a.width(); ++column) {
-        const double x = 0.5 * column, y = 0.5 * static_cast<double>(row);
+      for (int column = 0; column <= 2 * looked_at.width; ++column) {
+        const double x = looked_at.x + 0.5 * column, y = looked_at.y + 0.5 * static_cast<double>(row);
         widen(worst[begin], a.at(x, y), b.at(across * x, down * y));
         if (worst[begin].delta_e > enough) {
           stop = true;
@@ -217,8 +217,14 @@ ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& 
   return out;
 }
 
-Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, int unseen,
-                         std::optional<double> bound, unsigned threads) {
+PixelBox whole_texels(const PixelBox& box, int level) {
+  const auto end = [level](int at) { return (at + (1 << level) - 1) >> level; };
+  const int x = box.x >> level, y = box.y >> level;
+  return {x, y, end(box.x + box.width) - x, end(box.y + box.height) - y};
+}
+
+Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, const PixelBox& looked_at,
+                         int unseen, std::optional<double> bound, unsigned threads) {
   const int deepest = static_cast<int>(levels.diffuse_alpha.size()) - 1;
   const auto level = [&](int l) {
     return MaterialPair{levels.diffuse_alpha[static_cast<std::size_t>(l)],
@@ -228,6 +234,7 @@ Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap,
   Resolution out;
   const int free = out.shrink = std::min(unseen, deepest);
   const MaterialPair reference = level(free);
+  const PixelBox seen_at = whole_texels(looked_at, free);
   const auto varies = [](const Image8& picture) {
     for (std::size_t i = 3; i < picture.values.size(); i += 4)
       if (picture.values[i] != picture.values[3]) return true;
@@ -235,13 +242,14 @@ Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap,
   };
   if (bound && !(mask && varies(reference.diffuse_alpha)))
     for (int l = free + 1; l <= deepest; ++l) {
-      const ResolutionError error = resolution_error(reference, level(l), wrap, *bound, threads);
+      const ResolutionError error = resolution_error(reference, level(l), wrap, seen_at, *bound, threads);
       if (error.delta_e > *bound) break;
       out.shrink = l;
       out.seen = error;
     }
   if (out.shrink > 0)
-    out.whole = free == 0 ? out.seen : resolution_error(level(0), level(out.shrink), wrap, any, threads);
+    out.whole =
+        free == 0 ? out.seen : resolution_error(level(0), level(out.shrink), wrap, looked_at, any, threads);
   return out;
 }
 

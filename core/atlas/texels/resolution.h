@@ -23,8 +23,12 @@ struct ResolutionError {
 
 /// Compares a pair with a smaller one of the same content. Stops early and returns what it has found so far
 /// where delta_e exceeds `enough`.
+///   looked_at   the texels of `whole` that count
 ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,
-                                 double enough, unsigned threads);
+                                 const PixelBox& looked_at, double enough, unsigned threads);
+
+/// The texels of a level that a box of level 0 touches.
+PixelBox whole_texels(const PixelBox& box, int level);
 
 /// With how many texels a region is stored.
 struct Resolution {
@@ -37,10 +41,11 @@ struct Resolution {
 ///   levels    the mip chain of the region, level 0 first, as deep as the result may go
 ///   unseen    halvings that cost nothing that can be seen
 ///   bound     of `seen.delta_e` for halvings beyond those; none: there are no others
+///   looked_at   the texels of level 0 that count
 /// A pair whose alpha is tested (`mask`) and varies stays as it is beyond `unseen`: a small difference of
 /// alpha is a large one of what is seen.
-Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, int unseen,
-                         std::optional<double> bound, unsigned threads);
+Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, const PixelBox& looked_at,
+                         int unseen, std::optional<double> bound, unsigned threads);
 
 /// Mips of a region, as mip_pair() makes them, for gloss in any form. A roughness is averaged as the squared
 /// width of its lobe, to which the normals add twice their variance s2 = (1 - |N|) / |N|:

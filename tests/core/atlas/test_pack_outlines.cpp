@@ -112,7 +112,7 @@ TEST_CASE("floats of outlines are what their codes are, on every level") {
     }
 }
 
-TEST_CASE("a smooth island is stored with fewer texels, as its box, beside outlines that keep theirs") {
+TEST_CASE("a smooth island is stored with fewer texels beside outlines that keep theirs") {
   const TempFolder folder;
   const std::string scene = bands(folder);
   PackOptions options;
