@@ -162,13 +162,7 @@ class FreeSearch {
     std::vector<int> parts;
     for (const int mark : marks) parts.push_back(part(mark));
     for (const Width& candidate : seen_) {
-      Family family = family_of(candidate.width);
-      // The first height whose page would be no improvement.
-      const std::int64_t area = area_of(frame_, bound.width, bound.height);
-      const std::int64_t across = frame_.side_texels(candidate.width);
-      family.below = static_cast<int>(
-          std::min<std::int64_t>((area + across - 1) / across / frame_.unit + 1, INT32_MAX / 2));
-      while (family.below > 1 && area_of(frame_, candidate.width, family.below - 1) >= area) --family.below;
+      const Family family = family_below(candidate.width, bound);
       budget_.allow(part(effort));
       Best found;
       std::vector<Best> found_at;
@@ -176,6 +170,20 @@ class FreeSearch {
       keep(std::move(found), best);
       for (std::size_t i = 0; i < found_at.size(); ++i) keep(std::move(found_at[i]), noted[i]);
     }
+  }
+
+  // A smaller page than `bound` of its width, by other orders of the rectangles; only of few rectangles, of which a try
+  // takes little, where some of the page is empty.
+  void climb(const Best& bound, Best& best) {
+    constexpr int most_climbed = 400, effort = 1000;
+    constexpr double full = 0.995;
+    if (set_.size() > most_climbed || set_.items.front() == set_.items.back() ||
+        static_cast<double>(set_.area) >= full * bound.width * bound.height)
+      return;
+    budget_.allow(effort);
+    Best found;
+    search_.climb(family_below(bound.width, bound), found);
+    keep(std::move(found), best);
   }
 
   void keep(Best&& found, Best& best) const {
@@ -199,6 +207,18 @@ class FreeSearch {
     return family;
   }
 
+  // The pages of a width that are smaller than `bound`.
+  Family family_below(int width, const Best& bound) const {
+    Family family = family_of(width);
+    const std::int64_t area = area_of(frame_, bound.width, bound.height);
+    const std::int64_t across = frame_.side_texels(width);
+    // The first height whose page would be no improvement.
+    family.below = static_cast<int>(
+        std::min<std::int64_t>((area + across - 1) / across / frame_.unit + 1, INT32_MAX / 2));
+    while (family.below > 1 && area_of(frame_, width, family.below - 1) >= area) --family.below;
+    return family;
+  }
+
   const Set& set_;
   const Frame& frame_;
   Budget& budget_;
@@ -210,6 +230,8 @@ class FreeSearch {
 }  // namespace
 
 std::optional<Packed> pack_free(const Set& set, const Frame& frame, Budget& budget) {
+  constexpr int climbed_at =
+      100;  // from the layout of this effort, so that a larger one finds what a smaller one does
   const std::vector<int> marks = levels(frame);
   FreeSearch upright(set, frame, budget, false);
   Best looked;
@@ -217,6 +239,13 @@ std::optional<Packed> pack_free(const Set& set, const Frame& frame, Budget& budg
   Best best = looked;
   std::vector<Best> seeds(marks.size());
   if (looked.any) upright.search(looked, effort_of(frame, false), marks, best, seeds);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const Best at_mark = !seeds[i].any || area_of(frame, looked.width, looked.height) <
+                                              area_of(frame, seeds[i].width, seeds[i].height)
+                             ? looked
+                             : seeds[i];
+    if (marks[i] == climbed_at && at_mark.any) upright.climb(at_mark, best);
+  }
   if (frame.rotate) {
     FreeSearch turned(set, frame, budget, true);
     turned.look(looked);
@@ -225,6 +254,7 @@ std::optional<Packed> pack_free(const Set& set, const Frame& frame, Budget& budg
       const Best bound = looked;
       std::vector<Best> none;
       turned.search(bound, turned_part(frame, marks[i]), {}, looked, none);
+      if (marks[i] == climbed_at) turned.climb(looked, best);
     }
     turned.keep(std::move(looked), best);
   }

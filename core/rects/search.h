@@ -32,6 +32,11 @@ class Search {
   /// end.
   void look(const Family& family, Best& best);
 
+  /// Looks for pages that are smaller than `best`, or than the family's bound. Of the two rules that fill most of the next
+  /// smaller page the order is changed, one rectangle at a time, and what fills no less is kept (a climb of hills, from one
+  /// seed), within the budget.
+  void climb(const Family& family, Best& best);
+
   /// Places as many of `members` as fit in one page, by entry `which` of the portfolio.
   Outcome fill(int width, int height, std::span<const int> members, std::size_t which,
                std::vector<Spot>& spots);
@@ -64,6 +69,8 @@ class Search {
   bool settle(const Family& family, Best& best, Step& step);
   void go(const Family& family, Best& best);
   void note(const Best& best);
+  /// Entries of the portfolio, the first the one that fills most of a page.
+  std::vector<std::size_t> fullest(const Family& family, int side);
   template <class Depth>
   void go_through(std::span<const Try> tries, const Family& family, Best& best, Depth depth_of,
                   double* placed);
