@@ -154,7 +154,10 @@ std::vector<ExportedValues> exported_values(std::vector<ExportSurface> surfaces,
   for (ExportSurface& surface : surfaces) {
     const std::string first = identifier(surface.id);
     surface.node = first;
-    for (int i = 2; !taken.insert(surface.node).second; ++i) surface.node = first + '_' + std::to_string(i);
+    // The shader of a material takes a name too, which may be that of another material.
+    for (int i = 2; taken.contains(surface.node) || taken.contains(surface.node + "_surface"); ++i)
+      surface.node = first + '_' + std::to_string(i);
+    taken.insert({surface.node, surface.node + "_surface"});
   }
   parallel_chunks(out.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) {

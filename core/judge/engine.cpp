@@ -13,6 +13,7 @@
 #include "core/judge/pixels/plan.h"
 #include "core/judge/rule_check.h"
 #include "core/judge/rules.h"
+#include "core/judge/rules/surface_check.h"
 
 namespace etak {
 
@@ -97,7 +98,8 @@ Needs needs_of(const CheckTarget& target, const Settings& settings) {
     metal_rough = metal_rough || file.role == FileRole::metal_rough || file.role == FileRole::metallic ||
                   file.role == FileRole::scene;
     maps = maps || file.role == FileRole::scene || is_map(file.role);
-    materials = materials || file.role == FileRole::material || file.role == FileRole::spectrum;
+    materials = materials || file.role == FileRole::material || file.role == FileRole::spectrum ||
+                file.role == FileRole::surfaces;
     pictures =
         pictures || (is_judged(file.role) && file.role != FileRole::gloss) || file.role == FileRole::scene;
   }
@@ -271,6 +273,8 @@ void judge(const CheckTarget& target, const Evidence& evidence, const Settings& 
       file.unreadable = true;
     }
   }
+  for (const DocumentSurface& surface : evidence.surfaces)
+    file.surfaces.push_back(judged_surface(known_materials(settings), surface));
   explain_layers(target.manifest, findings);
   join_islands(target.manifest, findings);
   const auto key = [](const Finding& f) {

@@ -26,7 +26,8 @@ constexpr Severity last_of(Severity) {
 /// A material of the library, and its distance from a colour.
 struct NearestMaterial {
   std::string id, dataset;
-  double bytes = 0;  // largest channel difference in 8-bit codes
+  double bytes = 0;    // largest channel difference in 8-bit codes
+  double delta_e = 0;  // CIEDE2000 of the colours clipped to [0, 1]
   friend bool operator==(const NearestMaterial&, const NearestMaterial&) = default;
 };
 
@@ -90,6 +91,20 @@ struct RoleOfFile {
   friend bool operator==(const RoleOfFile&, const RoleOfFile&) = default;
 };
 
+/// The measured material whose F0 is nearest.
+struct NearestId {
+  std::string id;
+  double delta_e = 0;  // CIEDE2000 of F0, clipped to [0, 1]
+  friend bool operator==(const NearestId&, const NearestId&) = default;
+};
+/// A surface of a material document; `nearest` is none where its F0 is not known (a picture gives it, or a film lies on
+/// it).
+struct JudgedSurface {
+  std::string name, model, place;
+  std::optional<NearestId> nearest = {};
+  friend bool operator==(const JudgedSurface&, const JudgedSurface&) = default;
+};
+
 /// One checked file, or one pair or set of files that belong together.
 struct CheckedFile {
   std::string path;                     // relative
@@ -97,7 +112,8 @@ struct CheckedFile {
   std::string sha256;
   int width = 0, height = 0;
   std::vector<RoleOfFile> roles;
-  std::vector<Finding> findings;  // in the order of rule, tile, box
+  std::vector<JudgedSurface> surfaces;  // of a material document
+  std::vector<Finding> findings;        // in the order of rule, tile, box
   std::size_t plateau_px = 0, transition_px = 0;
   bool unreadable = false;  // exit status 2
   // Exact texel counts of the byte pass, in a fixed order: "forbidden_any_channel_px", "gloss_min", ...
@@ -129,6 +145,7 @@ void members(To& to, Value& near) {
   to.member("name", near.id);
   to.member("dataset", near.dataset);
   to.member("bytes", near.bytes);
+  to.member("delta_e", near.delta_e);
 }
 
 template <class To, MembersOf<FindingIsland> Value>
@@ -176,6 +193,20 @@ void members(To& to, Value& role) {
   to.member("role", role.role);
 }
 
+template <class To, MembersOf<NearestId> Value>
+void members(To& to, Value& near) {
+  to.member("id", near.id);
+  to.member("delta_e", near.delta_e);
+}
+
+template <class To, MembersOf<JudgedSurface> Value>
+void members(To& to, Value& surface) {
+  to.member("name", surface.name);
+  to.member("model", surface.model);
+  to.member("place", surface.place);
+  to.member("nearest", surface.nearest);
+}
+
 template <class To, MembersOf<CheckedFile> Value>
 void members(To& to, Value& file) {
   to.member("path", file.path, Said::as_label);
@@ -185,6 +216,7 @@ void members(To& to, Value& file) {
   to.member("height", file.height);
   to.member("unreadable", file.unreadable);
   to.member("roles", file.roles);
+  to.member("surfaces", file.surfaces, Said::where_there);
   to.member("findings", file.findings);
   to.object("stats", true, [&](auto& stats) {
     stats.member("plateauPx", file.plateau_px);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/hash/content_hash.h"
+#include "core/color/delta_e.h"
 #include "core/judge/pixels/code_tables.h"
 #include "core/material/f0.h"
 #include "core/material/json.h"
@@ -41,7 +42,10 @@ std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
                        optical_kind(material.material_class) == "conductor",
                        material.common,
                        material.material_class == "gem",
+                       optical_kind(material.material_class) != "dielectric",
+                       std::holds_alternative<Stack>(dataset.optics),
                        {f0.srgb_linear.r, f0.srgb_linear.g, f0.srgb_linear.b},
+                       f0.f82,
                        f0.luminance});
     }
   }
@@ -58,6 +62,11 @@ double code_with_fraction(double linear, TextureTransfer transfer) {
                         1);
   const auto i = static_cast<std::size_t>(std::max(0, low));
   return static_cast<double>(i) + (clamped - tables.decoded[i]) / (tables.decoded[i + 1] - tables.decoded[i]);
+}
+
+Lab clipped_lab(const std::array<double, 3>& linear) {
+  const auto cut = [](double channel) { return std::clamp(channel, 0.0, 1.0); };
+  return to_lab(LinearRgb{cut(linear[0]), cut(linear[1]), cut(linear[2])});
 }
 
 }  // namespace
@@ -100,17 +109,36 @@ double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, 
   return distance;
 }
 
+double delta_e_of(const std::array<double, 3>& linear, const KnownF0& entry) {
+  return delta_e2000(clipped_lab(linear), clipped_lab(entry.linear));
+}
+
+const KnownF0* nearest_f0(const KnownMaterials& known, const std::array<double, 3>& linear,
+                          const std::function<bool(const KnownF0&)>& wanted) {
+  const KnownF0* best = nullptr;
+  double least = 0;
+  for (const KnownF0& entry : known.f0()) {
+    if (!wanted(entry)) continue;
+    const double distance = delta_e_of(linear, entry);
+    if (best != nullptr && distance >= least) continue;
+    best = &entry;
+    least = distance;
+  }
+  return best;
+}
+
 std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,
                                                const std::array<double, 3>& linear, TextureTransfer transfer,
                                                std::size_t count) {
   std::vector<NearestMaterial> all;
   for (const KnownF0& entry : known.f0()) {
     const double distance = std::round(10 * code_distance(linear, entry, transfer)) / 10;
+    const double delta_e = std::round(10 * delta_e_of(linear, entry)) / 10;
     // The datasets of a material follow one another; only the nearest of them is kept.
     if (!all.empty() && all.back().id == entry.id) {
-      if (distance < all.back().bytes) all.back() = {entry.id, entry.dataset, distance};
+      if (distance < all.back().bytes) all.back() = {entry.id, entry.dataset, distance, delta_e};
     } else {
-      all.push_back({entry.id, entry.dataset, distance});
+      all.push_back({entry.id, entry.dataset, distance, delta_e});
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.bytes < b.bytes; });

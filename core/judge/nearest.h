@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/once.h"
+#include "core/color/rgb.h"
 #include "core/judge/finding.h"
 #include "core/judge/settings.h"
 #include "core/material/library.h"
@@ -21,7 +24,10 @@ struct KnownF0 {
   bool conductor = false;          // metals, alloys, conductors
   bool common = false;             // Material::common
   bool gem = false;                // of the class gem
+  bool metal = false;              // a conductor or semiconductor, or layers on one
+  bool layers = false;             // layers on a base
   std::array<double, 3> linear{};  // linear sRGB, not clipped
+  std::optional<LinearRgb> f82;    // at cos 1/7, where n and k give it
   double luminance = 0;
 };
 
@@ -42,6 +48,11 @@ class KnownMaterials {
   /// The entries of one material, by id, alias or name; empty: not in the library.
   std::vector<const KnownF0*> f0_of(std::string_view material) const;
 
+  /// Whether the library has a material of that id, alias or name; those without a specular F0, such as paper, too.
+  bool has(std::string_view material) const {
+    return !material.empty() && library_.find(material).has_value();
+  }
+
  private:
   KnownMaterials(MaterialLibrary library, std::string hash);
 
@@ -56,6 +67,14 @@ const KnownMaterials& known_materials(const Settings& settings);
 
 /// Largest channel difference in codes between a linear colour and an entry clipped to [0, 1].
 double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, TextureTransfer transfer);
+
+/// CIEDE2000 between a linear colour and the F0 of an entry, both clipped to [0, 1].
+double delta_e_of(const std::array<double, 3>& linear, const KnownF0& entry);
+
+/// The entry of the least such difference.
+///   wanted   which entries count; null: none of them does
+const KnownF0* nearest_f0(const KnownMaterials& known, const std::array<double, 3>& linear,
+                          const std::function<bool(const KnownF0&)>& wanted);
 
 /// The `count` nearest materials, each by its nearest dataset, nearest first.
 std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,

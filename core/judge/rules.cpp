@@ -41,7 +41,7 @@ std::string_view Rule::family() const {
                                            "Alpha, mips and atlas",
                                            "Material and spectral data",
                                            "Normal, occlusion and emissive maps",
-                                           "",
+                                           "Values of material documents",
                                            "Tool"};
   return families[static_cast<std::size_t>(id[3] - '0')];
 }

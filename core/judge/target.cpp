@@ -20,6 +20,7 @@ constexpr RoleTraits roles[] = {
     {FileRole::scene, "scene", RoleKind::document},
     {FileRole::material, "material", RoleKind::document},
     {FileRole::spectrum, "spectrum", RoleKind::document},
+    {FileRole::surfaces, "surfaces", RoleKind::document},
     {FileRole::normal, "normal", RoleKind::map},
     {FileRole::height, "height", RoleKind::map},
     {FileRole::occlusion, "occlusion", RoleKind::map},

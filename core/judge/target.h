@@ -32,6 +32,7 @@ enum class FileRole {
   scene,     // glTF
   material,  // material JSON
   spectrum,  // page or table of n,k or reflectance
+  surfaces,  // materials of MaterialX or USD, or a table of exported values
   // Maps beside the colours of a material, which the rules 7xx judge.
   normal,
   height,
@@ -71,7 +72,7 @@ bool is_judged(FileRole role);
 /// the normal map beside it.
 bool is_map(FileRole role);
 
-/// False for layouts, scenes, materials and spectra.
+/// False for layouts, scenes, materials, spectra and surfaces.
 bool is_picture(FileRole role);
 
 /// A file of a target.

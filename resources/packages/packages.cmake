@@ -53,7 +53,7 @@ exported to MaterialX, glTF and the values of other programs.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libetak-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # What the static libraries need to be linked.
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libxxhash-dev, zlib1g-dev, libzstd-dev, libisal-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libxxhash-dev, zlib1g-dev, libzstd-dev, libisal-dev, libpugixml-dev")
 if(ETAK_BUILD_PICTURES)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     ", libbenchmark-dev, libepoxy-dev, libopencolorio-dev, libopenimageio-dev, libmeshoptimizer-dev, libdraco-dev, libwebp-dev")

@@ -176,6 +176,10 @@ class CheckedFile(Value):
     companions: List[str] = _said("companions", "Other files of the set.", _texts)
     size: Tuple[int, int] = _said(
         "", "In texels; (0, 0) for what is no picture.", lambda file: (file["width"], file["height"]))
+    surfaces: List[Tuple[str, str, Optional[Tuple[str, float]]]] = _said(
+        "surfaces", "Of a material document: (name, model, (id, dE2000) of the nearest measured material or None).",
+        lambda rows: [(each["name"], each["model"], each["nearest"] and (
+            each["nearest"]["id"], float(each["nearest"]["delta_e"]))) for each in rows or []])
     roles: Dict[str, str] = _said(
         "roles", "What each file was taken for.", lambda rows: {_text(each["file"]): each["role"] for each in rows})
     counts: Dict[str, int] = _said("stats", "Exact counts of texels.", lambda stats: dict(stats["counts"]))

@@ -16,7 +16,8 @@ struct Family {
 constexpr std::array families{
     Family{'0', "0xx input"},         Family{'1', "1xx specular"}, Family{'2', "2xx diffuse"},
     Family{'3', "3xx gloss"},         Family{'4', "4xx encoding"}, Family{'5', "5xx alpha and atlas"},
-    Family{'6', "6xx material data"}, Family{'7', "7xx maps"},     Family{'9', "9xx tool"}};
+    Family{'6', "6xx material data"}, Family{'7', "7xx maps"},     Family{'8', "8xx material documents"},
+    Family{'9', "9xx tool"}};
 
 // Whether a file could not be checked, which is an error in JUnit; findings of a high severity are failures.
 bool is_unreadable(const Finding& finding) {

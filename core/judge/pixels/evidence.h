@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/exchange/surfaces/document.h"
 #include "core/judge/maps/map_evidence.h"
 #include "core/judge/maps/other_content.h"
 #include "core/judge/pixels/components.h"
@@ -201,6 +202,7 @@ struct Evidence {
   std::vector<MapEvidence> maps;
   std::vector<PictureLook> looks;
   std::optional<MaterialEvidence> material;
+  std::vector<DocumentSurface> surfaces;
   std::optional<SceneFacts> scene;      // where a limit asks for it
   std::vector<std::string> unreadable;  // "LABEL: message"
 };

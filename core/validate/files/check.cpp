@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/exchange/surfaces/document.h"
 #include "core/judge/engine.h"
 #include "core/judge/pixels/flat_rows.h"
 #include "core/judge/rules.h"
@@ -203,6 +204,11 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
       return check_scene(*scene, target, door, own, threads, file);
     if (const TargetFile* material = target.with_role({FileRole::material, FileRole::spectrum}))
       return check_material(*material, evidence);
+    if (const TargetFile* surfaces = target.with_role({FileRole::surfaces})) {
+      evidence.surfaces =
+          surfaces_of_document(read_file(surfaces->path, most_document_bytes), surfaces->label);
+      return;
+    }
     look_at_pictures(target, door, own, evidence);
     if (is_map_set(target)) return check_map_set(target, door, own, evidence, file);
     if (MetalRoughSet::is_set(target)) return check_metal_rough(target, door, own, threads, evidence, file);

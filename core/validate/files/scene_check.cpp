@@ -11,6 +11,7 @@
 #include "core/image/texture_bytes.h"
 #include "core/judge/engine.h"
 #include "core/judge/rules.h"
+#include "core/scene/gltf_surfaces.h"
 #include "core/scene/uv_use.h"
 #include "core/validate/files/check_maps.h"
 #include "core/validate/files/picture_looks.h"
@@ -243,6 +244,7 @@ void SceneCheck::judge_headers(const Manifest& manifest, const Settings& setting
   if (has_limit("ETK015", settings) || has_limit("ETK016", settings)) headers.scene = facts_of_scene();
   if (has_limit("ETK016", settings)) headers.scene->densities = densities();
   headers.looks = picture_looks(settings);
+  headers.surfaces = surfaces_of_gltf(uses_.scene());
   etak::judge(textures, headers, settings, file);
 }
 

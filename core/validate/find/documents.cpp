@@ -26,6 +26,12 @@ std::string without_ending(const std::string& path) {
   return path.substr(0, path.rfind('.'));
 }
 
+// Packages, crates, and layers whose text does not say that it is one.
+bool is_binary_usd(const std::string& path) {
+  const std::string ending = path_ending(path);
+  return ending == "usdc" || ending == "usdz" || ending == "usd";
+}
+
 class Documents {
  public:
   Documents(const Searched& searched, Finds& finds) : searched_(searched), finds_(finds) {}
@@ -52,11 +58,13 @@ class Documents {
       else if (!kind && has_unread_picture_ending(candidate.path))
         skip(candidate, "a picture of a format that etak does not read",
              "Save it as PNG, TIFF, OpenEXR, JPEG, Targa, WebP, BMP, DDS or KTX2.");
+      else if (!kind && is_binary_usd(candidate.path))
+        skip(candidate, "the binary form of USD", "Save it as text: usdcat -o FILE.usda.");
       else if (!kind)
         skip(candidate,
              is_pipe_input(candidate.path) ? "holds nothing that etak validate checks"
                                            : "a kind of file that etak validate does not check",
-             "Name a picture, atlas layout, glTF scene, material or spectrum.");
+             "Name a picture, atlas layout, glTF scene, material, spectrum, MaterialX or USD document.");
       else if (is_picture(*kind))
         files_.pictures.push_back(&candidate);
       else
