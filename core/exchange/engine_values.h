@@ -78,6 +78,8 @@ struct EngineValues {
   std::string error_reason;  // where there is no error: why
   Changes changes;
   std::vector<std::string> notes;
+  std::string choice =
+      {};  // of targets with several forms of F: the one that the fields are for, as the program names it
   std::string body = {};  // of targets whose text is more than their fields: the text of this material
   friend bool operator==(const EngineValues&, const EngineValues&) = default;
 };

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/image/mesh_codecs.h"
 #include "core/scene/gltf.h"
+#include "core/scene/gltf_surfaces.h"
 #include "core/scene/uv_use.h"
 
 using namespace etak;
@@ -68,6 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     scene = parse_gltf({bytes.data(), bytes.size()}, "no such folder/scene.gltf", options);
     check(scene);
+    assert(surfaces_of_gltf(scene).size() == scene.materials.size());
     output = atlas_of(scene);
     text = write_gltf(scene, output).json;
   } catch (const Error&) {

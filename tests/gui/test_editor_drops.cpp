@@ -140,6 +140,21 @@ class EditorDrops : public QObject {
     QVERIFY(again.project.spectra == first.project.spectra);
   }
 
+  void materials_of_material_x_are_imported() {
+    const TestWindow window(true);
+    const QString file = window.file(QStringLiteral("gold.mtlx"));
+    write(file,
+          "<materialx version=\"1.39\"><gltf_pbr name=\"Gold\" type=\"surfaceshader\">"
+          "<input name=\"base_color\" type=\"color3\" value=\"1, 0.774, 0.335\"/></gltf_pbr></materialx>");
+    QCOMPARE(kind_of_file(file), FileKind::spectra);
+    const Opened gold = import_files({file}, MaterialLibrary::builtin());
+    QVERIFY2(gold.error.isEmpty(), qPrintable(gold.error));
+    QCOMPARE(gold.project.materials.size(), std::size_t{1});
+    QCOMPARE(gold.project.materials[0].specular.g, 0.774);
+    write(file, "<materialx");
+    QVERIFY(!import_files({file}, MaterialLibrary::builtin()).error.isEmpty());
+  }
+
   void a_table_that_contradicts_itself_is_refused_as_by_the_command_line() {
     const TestWindow window(true);
     const QString file = window.file(QStringLiteral("twice.csv"));

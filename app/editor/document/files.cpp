@@ -17,9 +17,12 @@
 #include "core/image/picture_endings.h"
 #include "core/material/appearance.h"
 #include "core/material/json.h"
+#include "core/project/project_import.h"
 
 namespace etak::editor {
 namespace {
+
+const QStringList surface_endings{"mtlx", "gltf", "glb", "usda"};
 
 QString patterns(const QStringList& endings) {
   return "*." + endings.join(" *.");
@@ -98,13 +101,14 @@ void note(Opened& out, const std::vector<std::string>& problems) {
 
 FileKind kind_of_file(const QString& path) {
   const QString ending = QFileInfo(path).suffix().toLower();
-  if (kind_of_spectra(path) != MaterialFileKind::none) return FileKind::spectra;
+  if (kind_of_spectra(path) != MaterialFileKind::none || holds_surfaces(path.toStdString()))
+    return FileKind::spectra;
   if (texts(picture_endings).contains(ending)) return FileKind::picture;
   return ending == qt_text(radiance_ending) ? FileKind::environment : FileKind::other;
 }
 
 QString spectrum_patterns() {
-  return patterns(texts(material_file_endings()));
+  return patterns(texts(material_file_endings()) + surface_endings);
 }
 
 QString picture_patterns() {
@@ -112,9 +116,10 @@ QString picture_patterns() {
 }
 
 QString expected_files() {
-  return QObject::tr(
-             "expected spectra, materials or projects (%1), pictures (%2) or an environment (.hdr, .exr)")
-      .arg(listed_endings(texts(material_file_endings())), listed_endings(texts(picture_endings)));
+  return QObject::
+      tr("expected spectra, materials or projects (%1), material documents (%3), pictures (%2) or an environment (.hdr, .exr)")
+          .arg(listed_endings(texts(material_file_endings())), listed_endings(texts(picture_endings)),
+               listed_endings(surface_endings));
 }
 
 ProjectMaterial material_of(const Material& record) {
@@ -179,6 +184,13 @@ Opened import_files(const QStringList& paths, const MaterialLibrary& library) {
     for (ProjectMaterial& each : one.materials) out.project.materials.push_back(std::move(each));
   };
   const auto import = [&](const QString& path) {
+    if (holds_surfaces(path.toStdString())) {
+      Project one;
+      std::vector<std::string> remarks;
+      one.materials = imported_materials(path.toStdString(), remarks);
+      note(out, remarks);
+      return take(one);
+    }
     const MaterialFileKind kind = kind_of_spectra(path);
     if (kind == MaterialFileKind::none) throw Error((path + ": " + expected_files()).toStdString());
     if (kind == MaterialFileKind::material) {

@@ -15,7 +15,7 @@ namespace etak::editor {
 // threads of workers.
 
 /// The kind of a file by its name.
-///   spectra      pages, tables, materials, projects
+///   spectra      pages, tables, materials, projects, material documents
 ///   environment  .hdr; an .exr may be one too, and counts as a picture
 enum class FileKind { spectra, picture, environment, other };
 FileKind kind_of_file(const QString& path);
@@ -48,7 +48,7 @@ bool holds_project(const QString& path);
 Opened open_project(const QString& path, const MaterialLibrary& library);
 
 /// Reads files with spectra: pages (.yml) and tables (.csv, .txt) of n, k or reflectance, material files
-/// (.json), and projects (.json), which give their materials. Each spectrum becomes a material with measured
+/// (.json), projects (.json), and material documents (.mtlx, .gltf, .glb, .usda), which give their materials. Each spectrum becomes a material with measured
 /// F0. A table that contradicts itself is refused. A page or table whose id belongs to another record gets a
 /// free one.
 Opened import_files(const QStringList& paths, const MaterialLibrary& library);

@@ -68,6 +68,9 @@ bool to_linear_srgb(std::string_view space, std::vector<double>& rgb) {
   const auto found =
       std::find_if(spaces.begin(), spaces.end(), [&](const NamedSpace& each) { return each.name == space; });
   if (found == spaces.end() || rgb.size() != 3) return false;
+  // Numbers that are no colours stay as they are: a power of them may have no value.
+  constexpr double most = 1e6;
+  if (std::ranges::any_of(rgb, [](double channel) { return std::abs(channel) > most; })) return true;
   for (double& channel : rgb) channel = found->decode(channel);
   if (found->primaries == RgbSpace::srgb) return true;
   const Vec3 out = to_srgb(found->primaries) * Vec3{rgb[0], rgb[1], rgb[2]};

@@ -54,7 +54,7 @@ LinearRgb product(const LinearRgb& a, const LinearRgb& b) {
   return {a.r * b.r, a.g * b.g, a.b * b.b};
 }
 
-void take_index(const LinearRgb& n, const LinearRgb& k, SurfaceValues& out) {
+void take_index(const LinearRgb& n, const LinearRgb& k, DocumentValues& out) {
   const auto a = vec(n), b = vec(k);
   const auto in_range = [](double x) { return x >= 0 && x <= 1000; };
   if (!std::ranges::all_of(a, in_range) || !std::ranges::all_of(b, in_range)) return;
@@ -71,7 +71,7 @@ double by_edge_color(double r, double g) {
 }
 
 // The edge of a metal: by its tint, or by Gulbrandsen's edge colour.
-void take_edge(const Reader& reader, SurfaceValues& out) {
+void take_edge(const Reader& reader, DocumentValues& out) {
   const auto tint = reader.stated(Meaning::tint), edge = reader.stated(Meaning::edge_color);
   out.edge_from = tint != nullptr ? tint : edge;
   if (out.edge_from == nullptr || out.edge_from->values.size() != 3 || !out.f0) return;
@@ -83,7 +83,7 @@ void take_edge(const Reader& reader, SurfaceValues& out) {
   });
 }
 
-void take_metal(const Reader& reader, SurfaceValues& out) {
+void take_metal(const Reader& reader, DocumentValues& out) {
   out.f0_from = reader.stated(Meaning::base_color);
   const auto weight = reader.number(Meaning::base_weight, 1);
   if (out.f0_from == nullptr || !out.base_color || !weight) return;
@@ -91,7 +91,7 @@ void take_metal(const Reader& reader, SurfaceValues& out) {
   take_edge(reader, out);
 }
 
-void take_dielectric(const Reader& reader, SurfaceValues& out) {
+void take_dielectric(const Reader& reader, DocumentValues& out) {
   const auto weight = reader.number(Meaning::specular_weight, 1);
   std::optional<LinearRgb> factor = LinearRgb{1, 1, 1};
   for (const Meaning meaning : {Meaning::tint, Meaning::edge_color, Meaning::specular_color}) {
@@ -108,7 +108,7 @@ void take_dielectric(const Reader& reader, SurfaceValues& out) {
 }
 
 // Where the metalness is not known, neither is F0; an edge of zero metalness is none.
-void take_by_metalness(const Reader& reader, SurfaceValues& out) {
+void take_by_metalness(const Reader& reader, DocumentValues& out) {
   out.metal_from = reader.stated(Meaning::metalness);
   if (!out.metalness) return;
   out.sort = *out.metalness >= 0.9   ? SurfaceSort::metal
@@ -119,7 +119,7 @@ void take_by_metalness(const Reader& reader, SurfaceValues& out) {
 }
 
 // Whether a film that is not known in full lies on the surface.
-bool take_film(const Reader& reader, SurfaceValues& out) {
+bool take_film(const Reader& reader, DocumentValues& out) {
   for (const auto& [meaning, unit] : {std::pair(Meaning::film_nm, 1.0), std::pair(Meaning::film_um, 1000.0)})
     if (const SurfaceInput* input = reader.stated(meaning)) {
       out.film_from = input;
@@ -133,9 +133,9 @@ bool take_film(const Reader& reader, SurfaceValues& out) {
 
 }  // namespace
 
-SurfaceValues values_of(const DocumentSurface& surface) {
+DocumentValues values_of(const DocumentSurface& surface) {
   const Reader reader(surface);
-  SurfaceValues out;
+  DocumentValues out;
   const bool film = take_film(reader, out);
   if (reader.stated(Meaning::roughness) != nullptr) out.roughness = reader.number(Meaning::roughness, 1);
   if (reader.stated(Meaning::diffuse) != nullptr) out.diffuse = reader.color(Meaning::diffuse, 0);

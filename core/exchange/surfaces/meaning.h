@@ -23,7 +23,7 @@ enum class SurfaceSort { metal, dielectric, between, either };
 ///   film_nm     thickness of a stated film
 ///   base_color, diffuse   as stated; none: not known
 ///   roughness   perceptual
-struct SurfaceValues {
+struct DocumentValues {
   SurfaceSort sort = SurfaceSort::either;
   std::optional<double> metalness;
   std::optional<LinearRgb> f0, f82, base_color, diffuse;
@@ -34,6 +34,6 @@ struct SurfaceValues {
 /// The values live as long as the surface.
 ///   from   OpenPBR 1.1 (F82 tint), Standard Surface 1.0.1 (Gulbrandsen's n and k), glTF 2.0 with KHR_materials_ior and
 ///          _specular, UsdPreviewSurface 2.6; n and k by Fresnel's equations
-SurfaceValues values_of(const DocumentSurface& surface);
+DocumentValues values_of(const DocumentSurface& surface);
 
 }  // namespace etak

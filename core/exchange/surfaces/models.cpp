@@ -248,17 +248,17 @@ std::vector<ModelInput> all_inputs() {
 }
 
 // All inputs, and those of each name.
-struct Table {
+struct InputTable {
   std::vector<ModelInput> inputs = all_inputs();
   std::map<std::pair<std::string_view, std::string_view>, const ModelInput*> by_name;
 
-  Table() {
+  InputTable() {
     for (const ModelInput& each : inputs) by_name.emplace(std::pair(each.model, each.name), &each);
   }
 };
 
-const Table& table() {
-  static const Table all;
+const InputTable& table() {
+  static const InputTable all;
   return all;
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 
 #include "core/base/json/json_text.h"
 #include "core/exchange/export_coat.h"
@@ -79,6 +78,7 @@ void write_metallic(const TargetJob& j) {
   j.shows_f82(f0, tint);
   j.add("Base Color", f0, blender_text);
   j.add("Edge Tint", tint, blender_text);
+  j.out.choice = "F82";
   if (physical) {
     const bool better = physical->mean < j.out.error->mean;
     j.add("IOR", index.n, vector_text);
@@ -86,7 +86,10 @@ void write_metallic(const TargetJob& j) {
     j.note(std::string("Fresnel Type ") + (better ? "Physical Conductor" : "F82 Tint") + ": dE2000 " +
            number(physical->mean, 2) + " on the mean by IOR and Extinction, " + number(j.out.error->mean, 2) +
            " by Base Color and Edge Tint");
-    if (better) j.out.error = physical;
+    if (better) {
+      j.out.choice = "PHYSICAL_CONDUCTOR";
+      j.out.error = physical;
+    }
   }
   j.add("Roughness", j.roughness());
 }
@@ -97,11 +100,7 @@ std::string metallic_script(const ExportSurface& s, const EngineValues& values) 
                     ")\nmaterial.use_nodes = True\nnodes = material.node_tree.nodes\nnodes.clear()\n"
                     "shader = nodes.new(\"ShaderNodeBsdf" +
                     (metal ? "Metallic" : "Principled") + "\")\n";
-  if (metal) {
-    const bool physical = std::ranges::any_of(
-        values.notes, [](const std::string& note) { return note.starts_with("Fresnel Type Physical"); });
-    out += std::string("shader.fresnel_type = \"") + (physical ? "PHYSICAL_CONDUCTOR" : "F82") + "\"\n";
-  }
+  if (metal) out += "shader.fresnel_type = \"" + values.choice + "\"\n";
   for (const EngineField& field : values.fields)
     out += "shader.inputs[\"" + (field.name == "IOR Level" ? "Specular IOR Level" : field.name) +
            "\"].default_value = " + field.text + '\n';

@@ -11,7 +11,7 @@ namespace {
 
 // Gold's red is outside of sRGB: an F0 of a measured metal may be a little above 1.
 bool is_metal_above_one(const RuleCheck& check, const DocumentSurface& surface, const ModelInput& of,
-                        const SurfaceValues& values) {
+                        const DocumentValues& values) {
   if ((of.meaning != Meaning::f0 && of.meaning != Meaning::f82 && of.meaning != Meaning::base_color) ||
       !values.f0)
     return false;
@@ -46,7 +46,7 @@ constinit const Rule etk801_value_out_of_range{
     .example = "specular_ior 0.04: F0 typed in the place of the index.",
     .fix = "Bring the number into the range; F0 and index are different numbers (F0 0.04 is index 1.5).",
     .check = [](RuleCheck& check) {
-      for_each_surface(check, [&](const DocumentSurface& surface, const SurfaceValues& values) {
+      for_each_surface(check, [&](const DocumentSurface& surface, const DocumentValues& values) {
         for (const SurfaceInput& input : surface.inputs) {
           const ModelInput* of = model_input(surface.model, input.name);
           if (of == nullptr || of->type == InputType::other || is_eight_bit(*of, input)) continue;

@@ -30,7 +30,7 @@ constinit const Rule etk802_unknown_input{
     .example = "base_colour in an open_pbr_surface; metallic in a standard_surface.",
     .fix = "Write the name as the model's definition has it.",
     .check = [](RuleCheck& check) {
-      for_each_surface(check, [&](const DocumentSurface& surface, const SurfaceValues& values) {
+      for_each_surface(check, [&](const DocumentSurface& surface, const DocumentValues& values) {
         for (const SurfaceInput& input : surface.inputs) {
           const ModelInput* of = model_input(surface.model, input.name);
           if (of == nullptr)

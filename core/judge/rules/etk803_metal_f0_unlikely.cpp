@@ -18,7 +18,7 @@ constinit const Rule etk803_metal_f0_unlikely{
     .example = "A metal in a colour that was picked for paint: base_color 0.2 0.05 0.05, metalness 1.",
     .fix = "Take the F0 of a measured metal (etak f0 NAME); for painted metal set the metalness to 0.",
     .check = [](RuleCheck& check) {
-      for_each_surface(check, [&](const DocumentSurface& surface, const SurfaceValues& values) {
+      for_each_surface(check, [&](const DocumentSurface& surface, const DocumentValues& values) {
         if (surface.looked_at || !values.f0) return;
         if (values.sort != SurfaceSort::metal && values.sort != SurfaceSort::either) return;
         const KnownMaterials& known = known_materials(check.settings);

@@ -21,7 +21,7 @@ constinit const Rule etk804_dielectric_f0_unlikely{
         "Set the index: 1.33 water, 1.5 plastic and glass, 1.77 sapphire, 2.42 diamond; leave the weight at 1.",
     .check = [](RuleCheck& check) {
       constexpr double most_of_dielectrics = 0.18;
-      for_each_surface(check, [&](const DocumentSurface& surface, const SurfaceValues& values) {
+      for_each_surface(check, [&](const DocumentSurface& surface, const DocumentValues& values) {
         if (surface.looked_at || !values.f0) return;
         const bool dielectric = values.sort == SurfaceSort::dielectric;
         if (!dielectric && values.sort != SurfaceSort::either) return;

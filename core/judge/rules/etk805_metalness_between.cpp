@@ -19,7 +19,7 @@ constinit const Rule etk805_metalness_between{
     .fix = "Set it to 0 or 1; varnish is a coat, dust a second material.",
     .check = [](RuleCheck& check) {
       constexpr double least = 0.02;
-      for_each_surface(check, [&](const DocumentSurface& surface, const SurfaceValues& values) {
+      for_each_surface(check, [&](const DocumentSurface& surface, const DocumentValues& values) {
         if (surface.looked_at || !values.metalness || values.metal_from == nullptr) return;
         if (*values.metalness <= least || *values.metalness >= 1 - least || *values.metalness > 1) return;
         Finding& finding =

@@ -39,7 +39,7 @@ constinit const Rule etk806_edge_unlikely{
     .example = "specular_color holds F0 once more, where it is the tint of the edge.",
     .fix = "Leave the tint at white, or take it from etak export NAME --to openpbr.",
     .check = [](RuleCheck& check) {
-      for_each_surface(check, [&](const DocumentSurface& surface, const SurfaceValues& values) {
+      for_each_surface(check, [&](const DocumentSurface& surface, const DocumentValues& values) {
         if (!values.f0 || !values.f82 || values.edge_from == nullptr) return;
         const KnownMaterials& known = known_materials(check.settings);
         if (is_what_it_is_called(known, surface, *values.f0)) return;

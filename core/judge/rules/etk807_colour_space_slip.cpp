@@ -17,7 +17,7 @@ constinit const Rule etk807_colour_space_slip{
     .example = "base_color 1, 0.894, 0.612 of gold, as a colour picker shows it.",
     .fix = "Type the linear value, or state colorspace=\"srgb_texture\" in MaterialX.",
     .check = [](RuleCheck& check) {
-      for_each_surface(check, [&](const DocumentSurface& surface, const SurfaceValues& values) {
+      for_each_surface(check, [&](const DocumentSurface& surface, const DocumentValues& values) {
         for (const SurfaceInput& input : surface.inputs)
           if (const ModelInput* of = model_input(surface.model, input.name);
               of != nullptr && is_eight_bit(*of, input))

@@ -19,7 +19,7 @@ constinit const Rule etk808_film_unit{
     .fix = "Divide or multiply by 1000.",
     .check = [](RuleCheck& check) {
       constexpr double least_nm = 0.99, most_nm = 20000;
-      for_each_surface(check, [&](const DocumentSurface& surface, const SurfaceValues& values) {
+      for_each_surface(check, [&](const DocumentSurface& surface, const DocumentValues& values) {
         if (!values.film_nm || *values.film_nm <= 0) return;
         if (*values.film_nm >= least_nm && *values.film_nm <= most_nm) return;
         const bool thin = *values.film_nm < least_nm;

@@ -20,7 +20,7 @@ constinit const Rule etk809_not_the_named_material{
     .example = "A material Gold with the F0 of brass; a Diamond of index 1.5.",
     .fix = "Take the measured F0 (etak f0 NAME), or give it another name.",
     .check = [](RuleCheck& check) {
-      for_each_surface(check, [&](const DocumentSurface& surface, const SurfaceValues& values) {
+      for_each_surface(check, [&](const DocumentSurface& surface, const DocumentValues& values) {
         if (!values.f0) return;
         const KnownMaterials& known = known_materials(check.settings);
         const auto entries = named_material(known, surface.name);

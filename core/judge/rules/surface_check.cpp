@@ -61,7 +61,7 @@ bool is_what_it_is_called(const KnownMaterials& known, const DocumentSurface& su
 
 JudgedSurface judged_surface(const KnownMaterials& known, const DocumentSurface& surface) {
   JudgedSurface out{surface.name, surface.model, surface.place};
-  const SurfaceValues values = values_of(surface);
+  const DocumentValues values = values_of(surface);
   if (!values.f0) return out;
   const Measured nearest = nearest_measured(known, *values.f0, values.sort);
   if (nearest.entry != nullptr) out.nearest = {nearest.entry->id, std::round(10 * nearest.delta_e) / 10};
@@ -101,7 +101,7 @@ std::string transfer_slip(const KnownMaterials& known, const LinearRgb& f0) {
   return {};
 }
 
-Finding& report_surface(RuleCheck& check, const DocumentSurface& surface, const SurfaceValues& values,
+Finding& report_surface(RuleCheck& check, const DocumentSurface& surface, const DocumentValues& values,
                         const SurfaceInput* input, const std::string& what) {
   Finding& finding = check.report();
   finding.material = surface.name;

@@ -42,7 +42,7 @@ JudgedSurface judged_surface(const KnownMaterials& known, const DocumentSurface&
 /// Adds a finding about a surface: with its name, F0, the nearest measured materials, and the message
 /// "line 12: NAME, INPUT: WHAT", at the end of which the nearest is told where F0 is known.
 ///   input   null: the surface as a whole
-Finding& report_surface(RuleCheck& check, const DocumentSurface& surface, const SurfaceValues& values,
+Finding& report_surface(RuleCheck& check, const DocumentSurface& surface, const DocumentValues& values,
                         const SurfaceInput* input, const std::string& what);
 
 /// "1.04", "1.04 0.77 0.33".
