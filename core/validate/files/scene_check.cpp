@@ -245,6 +245,9 @@ void SceneCheck::judge_headers(const Manifest& manifest, const Settings& setting
   if (has_limit("ETK016", settings)) headers.scene->densities = densities();
   headers.looks = picture_looks(settings);
   headers.surfaces = surfaces_of_gltf(uses_.scene());
+  std::erase_if(headers.surfaces, [](const DocumentSurface& surface) {
+    return std::ranges::all_of(surface.inputs, [](const SurfaceInput& each) { return each.values.empty(); });
+  });
   etak::judge(textures, headers, settings, file);
 }
 
