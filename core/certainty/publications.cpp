@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/certainty/publications.h"
+
+#include <algorithm>
+
+#include "core/base/number.h"
+#include "core/material/quality.h"
+
+namespace etak {
+namespace {
+
+constexpr double coldest_kelvin = 283, hottest_kelvin = 308;
+
+bool same_publication(const Citation& a, const Citation& b) {
+  return a.authors == b.authors && a.year == b.year && (a.doi == b.doi || a.title == b.title);
+}
+
+std::string why_no_witness(const Material& material, const Dataset& dataset, const Dataset& stated) {
+  if (dataset.origin == Origin::computed) return "computed";
+  if (!dataset.doubtful.empty()) return dataset.doubtful;
+  if (dataset.axis != stated.axis) return "another axis";
+  if (dataset.temperature_kelvin &&
+      (*dataset.temperature_kelvin < coldest_kelvin || *dataset.temperature_kelvin > hottest_kelvin))
+    return number(*dataset.temperature_kelvin, 4) + " K";
+  if (std::holds_alternative<Stack>(dataset.optics)) return "a stack";
+  if (same_publication(dataset.citation, stated.citation)) return "the same publication as " + stated.id;
+  for (const Dataset& before : material.datasets) {
+    if (&before == &dataset) break;
+    if (&before != &stated && same_publication(before.citation, dataset.citation) &&
+        why_no_witness(material, before, stated).empty())
+      return "the same publication as " + before.id;
+  }
+  return {};
+}
+
+// Why F0 of a dataset has no band; empty: it has.
+std::string why_no_band(const Material& material, const Dataset& dataset, const F0Result& stated) {
+  if (stated.refused()) return "refused";
+  if (!gives_f0(material.material_class)) return "a surface: things of one name differ more than measurements of one thing";
+  if (std::holds_alternative<Stack>(dataset.optics)) return "a stack: its layers have their own";
+  if (material.material_class == "gas") return "a gas";
+  if (!dataset.doubtful.empty()) return "doubtful: " + dataset.doubtful;
+  return {};
+}
+
+}  // namespace
+
+std::vector<Publication> publications_beside(const Material& material, const Dataset& stated) {
+  std::vector<Publication> out;
+  for (const Dataset& dataset : material.datasets)
+    if (dataset.id != stated.id) out.push_back({&dataset, why_no_witness(material, dataset, stated)});
+  return out;
+}
+
+BandClass band_class(const Material& material, const F0Result& stated) {
+  const std::string_view kind = optical_kind(material.material_class);
+  if (kind == "semiconductor") return BandClass::semiconductor;
+  return kind == "conductor" && stated.luminance >= forbidden_zone_first ? BandClass::metal : BandClass::clear;
+}
+
+MaterialBand material_band(const F0Solver& solver, const Material& material, const Dataset& dataset,
+                           const F0Result& stated) {
+  MaterialBand out;
+  out.reason = why_no_band(material, dataset, stated);
+  if (!out.reason.empty()) return out;
+  const BandClass kind = band_class(material, stated);
+  if (dataset.origin == Origin::computed) {
+    out.band = computed_band(kind, stated.srgb_linear);
+    return out;
+  }
+  out.publications = publications_beside(material, dataset);
+  std::vector<LinearRgb> others;
+  for (Publication& each : out.publications) {
+    if (!each.left_out.empty()) continue;
+    const F0Result result = solver.solve(each.dataset->optics);
+    if (result.refused())
+      each.left_out = "refused: " + result.refusal;
+    else
+      others.push_back(result.srgb_linear);
+  }
+  out.band = band(kind, stated.srgb_linear, others);
+  return out;
+}
+
+}  // namespace etak

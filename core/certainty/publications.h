@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/certainty/bands.h"
+#include "core/material/f0.h"
+#include "core/material/material.h"
+
+namespace etak {
+
+/// A dataset of a material as a witness of its F0.
+///   left_out   why it is none: "computed", "12 K", "another axis", "the same publication as ID"; empty: it is one
+struct Publication {
+  const Dataset* dataset = nullptr;
+  std::string left_out;
+};
+
+/// All datasets but `stated`, one of each publication that says the same as `stated` measures: on the same axis, at room
+/// temperature (283 K to 308 K, or not said), not computed and not doubtful.
+std::vector<Publication> publications_beside(const Material& material, const Dataset& stated);
+
+/// The band of a material's stated F0, or why it has none.
+struct MaterialBand {
+  std::optional<Band> band;
+  std::string reason;                   // why there is none
+  std::vector<Publication> publications;  // beside the stated one
+};
+
+/// Of a dataset of the material. Surfaces, stacks, gases, doubtful and refused datasets have no band.
+///   solver   computes the other publications, as `stated` was
+///   stated   F0 of `dataset` by `solver`
+MaterialBand material_band(const F0Solver& solver, const Material& material, const Dataset& dataset,
+                           const F0Result& stated);
+
+/// The class by which a material's publications are compared: conductors below the forbidden zone, such as indium tin
+/// oxide, are clear.
+BandClass band_class(const Material& material, const F0Result& stated);
+
+}  // namespace etak
