@@ -40,8 +40,8 @@ Band around(const LinearRgb& stated, double half, const Offsets& nine) {
 }
 
 std::string radii(const Band& band, std::string_view of) {
-  return "half of " + std::string(of) + " would lie within dE " + fixed(band.de50, 1) + ", nine of ten within " +
-         fixed(band.de90, 1);
+  return "half of " + std::string(of) + " would lie within dE " + fixed(band.de50, 1) +
+         ", nine of ten within " + fixed(band.de90, 1);
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ Band band(BandClass kind, const LinearRgb& stated, std::span<const LinearRgb> ot
   out.kind = kind;
   out.publications = 1 + others.size();
   out.farthest = farthest;
-  out.disagree = farthest > of.mean[offset_de] * table.nine_one[offset_de];
+  out.disagree = farthest > 2 * of.mean[offset_de];
   return out;
 }
 
@@ -97,7 +97,7 @@ std::string words(const Band& band) {
   if (band.publications == 0) return "computed from theory; " + radii(band, "measurements");
   if (band.publications == 1) {
     const std::string_view kind = band.kind == BandClass::clear ? "clear material" : name(band.kind);
-    return "one publication; of new ones of a " + std::string(kind) + " with one, " + radii(band, "them");
+    return "one publication: for a " + std::string(kind) + " with one, " + radii(band, "new ones");
   }
   return std::to_string(band.publications) + " publications" +
          (band.disagree ? " that disagree by up to dE " + fixed(band.farthest, 1) : "") + "; " +

@@ -76,13 +76,13 @@ std::string format_bands(const BandTable& table) {
   std::vector<JsonMember> classes;
   for (std::size_t kind = 0; kind < band_class_count; ++kind) {
     const BandTable::OfClass& of = table.classes[kind];
-    classes.push_back({name(static_cast<BandClass>(kind)),
-                       json_object({{"materials", etak::json(of.materials)},
-                                    {"publications", etak::json(of.publications)},
-                                    {"mean", json(of.mean)},
-                                    {"half_one", json(of.half_one)},
-                                    {"half_several", json(of.half_several)}},
-                                   -1)});
+    classes.push_back(
+        {name(static_cast<BandClass>(kind)), json_object({{"materials", etak::json(of.materials)},
+                                                          {"publications", etak::json(of.publications)},
+                                                          {"mean", json(of.mean)},
+                                                          {"half_one", json(of.half_one)},
+                                                          {"half_several", json(of.half_several)}},
+                                                         -1)});
   }
   return json_document(
       bands_schema,

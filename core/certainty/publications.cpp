@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/number.h"
+#include "core/certainty/calibration.h"
 #include "core/material/quality.h"
 
 namespace etak {
@@ -36,7 +37,8 @@ std::string why_no_witness(const Material& material, const Dataset& dataset, con
 // Why F0 of a dataset has no band; empty: it has.
 std::string why_no_band(const Material& material, const Dataset& dataset, const F0Result& stated) {
   if (stated.refused()) return "refused";
-  if (!gives_f0(material.material_class)) return "a surface: things of one name differ more than measurements of one thing";
+  if (!gives_f0(material.material_class))
+    return "a surface: things of one name differ more than measurements of one thing";
   if (std::holds_alternative<Stack>(dataset.optics)) return "a stack: its layers have their own";
   if (material.material_class == "gas") return "a gas";
   if (!dataset.doubtful.empty()) return "doubtful: " + dataset.doubtful;
@@ -52,10 +54,40 @@ std::vector<Publication> publications_beside(const Material& material, const Dat
   return out;
 }
 
+std::optional<Material> without_publication(Material material, const Dataset& dataset) {
+  const Citation left_out = dataset.citation;
+  const std::string was = material.preferred_dataset().id;
+  std::erase_if(material.datasets,
+                [&](const Dataset& each) { return same_publication(each.citation, left_out); });
+  if (material.datasets.empty()) return std::nullopt;
+  material.preferred = 0;
+  for (std::size_t i = 0; i < material.datasets.size(); ++i)
+    if (material.datasets[i].id == was) {
+      material.preferred = i;
+      return material;
+    }
+  // The others are compared as witnesses of each other, as residuals() does.
+  const F0Solver solver{F0Options{}};
+  PublishedMaterial published;
+  std::vector<std::size_t> index, known;
+  for (std::size_t i = 0; i < material.datasets.size(); ++i) {
+    const Dataset& each = material.datasets[i];
+    const F0Result result = solver.solve(each.optics);
+    if (each.origin == Origin::computed || !each.doubtful.empty() || result.refused()) continue;
+    known.push_back(index.size());
+    index.push_back(i);
+    published.colours.push_back(result.srgb_linear);
+  }
+  if (!known.empty()) material.preferred = index[stated_of(published, known)];
+  material.preferred_reason = "the one that is nearest to the others, without " + dataset.id;
+  return material;
+}
+
 BandClass band_class(const Material& material, const F0Result& stated) {
   const std::string_view kind = optical_kind(material.material_class);
   if (kind == "semiconductor") return BandClass::semiconductor;
-  return kind == "conductor" && stated.luminance >= forbidden_zone_first ? BandClass::metal : BandClass::clear;
+  return kind == "conductor" && stated.luminance >= forbidden_zone_first ? BandClass::metal
+                                                                         : BandClass::clear;
 }
 
 MaterialBand material_band(const F0Solver& solver, const Material& material, const Dataset& dataset,

@@ -23,9 +23,10 @@ struct Publication {
 std::vector<Publication> publications_beside(const Material& material, const Dataset& stated);
 
 /// The band of a material's stated F0, or why it has none.
+///   publications   views into the material
 struct MaterialBand {
   std::optional<Band> band;
-  std::string reason;                   // why there is none
+  std::string reason;                     // why there is none
   std::vector<Publication> publications;  // beside the stated one
 };
 
@@ -34,6 +35,11 @@ struct MaterialBand {
 ///   stated   F0 of `dataset` by `solver`
 MaterialBand material_band(const F0Solver& solver, const Material& material, const Dataset& dataset,
                            const F0Result& stated);
+
+/// The material as it would be if a publication were not known: without all of its datasets. Where the preferred one is
+/// among them, the dataset that is nearest to the others together is preferred.
+///   returns   nothing where no dataset is left
+std::optional<Material> without_publication(Material material, const Dataset& dataset);
 
 /// The class by which a material's publications are compared: conductors below the forbidden zone, such as indium tin
 /// oxide, are clear.

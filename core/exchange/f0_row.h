@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/certainty/bands.h"
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
 #include "core/material/f0_coat.h"
@@ -33,6 +34,8 @@ struct F0Row {
   std::optional<ClearBody> clear = {};  // of a material whose body is clear, its colour in the space of F0
   std::optional<CoatedF0> coat = {};    // where the job has a coat
   std::vector<F0Layer> layers = {};     // of a stack, the outermost first, the base last
+  std::optional<Band> band = {};        // where new publications would lie; where the job asks for it
+  std::string band_reason = "one set of data, of no material";  // why there is none
 };
 
 }  // namespace etak

@@ -8,6 +8,7 @@
 #include "core/base/files/input.h"
 #include "core/base/memory.h"
 #include "core/base/system.h"
+#include "core/certainty/publications.h"
 #include "core/exchange/rii/axis_pages.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
@@ -57,6 +58,12 @@ void set_record(F0Row& row, const Material& material, const Dataset& dataset) {
   row.source = source_line(dataset);
   row.kind = kind_of(dataset.origin);
   row.layers = layers_of(dataset);
+}
+
+void set_band(F0Row& row, const F0Solver& solver, const Material& material, const Dataset& dataset) {
+  const MaterialBand found = material_band(solver, material, dataset, row.result);
+  row.band = found.band;
+  row.band_reason = found.reason;
 }
 
 F0StageTimes& F0StageTimes::operator+=(const F0StageTimes& other) {
@@ -201,11 +208,13 @@ void F0Worker::answer_dataset(const Material& material, const MaterialInput& inp
   if (!average) {
     finish(dataset.optics, etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr), job,
            row);
+    if (job.bands) set_band(row, job.solver, material, dataset);
     return;
   }
   if (!average->datasets.empty() && !average->result.refused()) row.dataset = average->datasets;
   if (row.doubt.empty()) row.doubt = average->doubt;
   row.result = average->result;
+  row.band_reason = "a mean over the axes of a crystal";
 }
 
 }  // namespace etak

@@ -30,6 +30,7 @@ struct F0Job {
   bool timed = false;
   bool materials = false;         // fill in F0Outcome::material in place of computing results
   std::optional<Coat> coat = {};  // fill in F0Row::coat
+  bool bands = false;             // fill in F0Row::band
 };
 
 /// The result for one input.
@@ -48,6 +49,10 @@ struct F0Outcome {
 
 /// What a row says of its dataset, besides the result and what it is called by.
 void set_record(F0Row& row, const Material& material, const Dataset& dataset);
+
+/// The band of a row's result, or why it has none.
+///   solver   that made the result
+void set_band(F0Row& row, const F0Solver& solver, const Material& material, const Dataset& dataset);
 
 /// Computes F0 of inputs one after the other, on one thread; its buffers are used again for the next input.
 class alignas(64) F0Worker {

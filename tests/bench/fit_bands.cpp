@@ -14,9 +14,10 @@ namespace {
 
 void print(const char* what, const BandCover& cover) {
   const double count = double(cover.count);
-  std::printf("%-14s %4zu   50 %%: %5.1f %% inside, mean radius %5.2f   90 %%: %5.1f %% inside, mean radius %5.2f\n", what,
-              cover.count, 100 * double(cover.inside50) / count, cover.de50 / count,
-              100 * double(cover.inside90) / count, cover.de90 / count);
+  std::printf(
+      "%-14s %4zu   50 %%: %5.1f %% inside, mean radius %5.2f   90 %%: %5.1f %% inside, mean radius %5.2f\n",
+      what, cover.count, 100 * double(cover.inside50) / count, cover.de50 / count,
+      100 * double(cover.inside90) / count, cover.de90 / count);
 }
 
 void run(const std::string& in, const std::string& out, const std::string& date) {
@@ -27,8 +28,8 @@ void run(const std::string& in, const std::string& out, const std::string& date)
     several += material.colours.size() >= 3 ? 1 : 0;
     if (material.colours.size() >= 2) publications += material.colours.size();
   }
-  std::printf("%zu materials with two publications or more, %zu with three or more, %zu publications\n", count, several,
-              publications);
+  std::printf("%zu materials with two publications or more, %zu with three or more, %zu publications\n",
+              count, several, publications);
   const BandRules rules = leave_one_out(materials);
   print("conformal", rules.conformal);
   for (std::size_t kind = 0; kind < band_class_count; ++kind)

@@ -73,9 +73,13 @@ bool is_of_lines(const std::string& format) {
   return format == "csv" || format == "jsonl";
 }
 
+F0CsvColumns extra_columns(const F0Arguments& arguments) {
+  return {.coat = !arguments.coat.empty(), .band = arguments.bands};
+}
+
 void append_line(std::string& out, const F0Row& row, const F0Arguments& arguments, const F0Options& options) {
   if (arguments.output.format == "csv")
-    append_f0_csv(out, row, !arguments.coat.empty());
+    append_f0_csv(out, row, extra_columns(arguments));
   else
     out += f0_jsonl({&row, 1}, options);
 }
@@ -216,7 +220,7 @@ class F0Run {
  public:
   F0Run(F0Arguments& arguments, const F0Job& job, unsigned threads)
       : arguments_(arguments), job_(job), workers_(threads) {
-    if (arguments.output.format == "csv") text_ = f0_csv_header(!arguments.coat.empty());
+    if (arguments.output.format == "csv") text_ = f0_csv_header(extra_columns(arguments));
   }
 
   int answer_all() {
@@ -261,6 +265,20 @@ class F0Run {
   bool is_html() const { return arguments_.output.format == "html"; }
   unsigned threads() const { return static_cast<unsigned>(workers_.size()); }
 
+  // Gives inputs of the library the materials that --without leaves of them.
+  void leave_out(std::vector<MaterialInput>& inputs) {
+    if (arguments_.without.empty()) return;
+    const auto materials = materials_without(arguments_.library.get(), arguments_.without);
+    for (MaterialInput& input : inputs) {
+      if (!input.material) continue;
+      const auto found = materials.find(input.material->id);
+      if (found == materials.end()) continue;
+      if (!found->second)
+        throw Error::at("--without", "leaves no dataset of " + input.material->id, "one of several datasets");
+      input.material = std::make_shared<const Material>(*found->second);
+    }
+  }
+
   // Computes the results of a batch of names.
   //   names_left   number of names in the list after this batch, for the progress
   void answer(const InputNames& batch, std::size_t names_left, Progress& progress) {
@@ -268,6 +286,7 @@ class F0Run {
     std::vector<std::string> remarks;
     std::vector<MaterialInput> inputs =
         find_inputs(batch, arguments_.library.when_asked(), threads(), &remarks);
+    leave_out(inputs);
     for (const std::string& each : alias_remarks(inputs))
       if (told_.insert(each).second) remarks.push_back(each);
     find_seconds_ += seconds_since(begin);
@@ -348,6 +367,9 @@ int answer_f0(F0Arguments& arguments) {
     throw Error::at("etak f0", "no input", "a material, file or folder, - for standard input, or --all");
   if (!arguments.sort.empty() && arguments.sort != "Y")
     throw Error::at("--sort", printable(arguments.sort), "Y");
+  if (arguments.bands && output.format != "csv")
+    throw Error::at("--bands", "beside --format " + output.format + ", which tells bands in any case",
+                    "--format csv");
   if (output.format == "html" && !arguments.sort.empty())
     throw Error::at("--sort", "materials of a page with all their datasets", "a form of rows, such as csv");
   if (output.format == "html" && (arguments.compute.axis_average || !arguments.inputs.dataset.empty()))
@@ -361,9 +383,14 @@ int answer_f0(F0Arguments& arguments) {
                                                (output.format == "table" && arguments.verbose));
   const F0Solver solver(std::move(options));
   const bool with_source = output.format != "csv";
-  const F0Job job{
-      solver,          table_options(arguments.tables), arguments.compute.axis_average,      with_source,
-      arguments.stats, output.format == "html",         coat_of(arguments, solver.options())};
+  const F0Job job{solver,
+                  table_options(arguments.tables),
+                  arguments.compute.axis_average,
+                  with_source,
+                  arguments.stats,
+                  output.format == "html",
+                  coat_of(arguments, solver.options()),
+                  arguments.bands || with_source};
   if (output.format == "svg" && solver.options().instrument.any())
     throw Error::at("--format svg", "beside --aperture or --scatter: a strip over angles", "another form");
   if (const double aperture = solver.options().instrument.aperture; aperture > 0)

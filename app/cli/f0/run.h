@@ -19,10 +19,12 @@ struct F0Arguments {
   Library library;
   unsigned threads = 0;
   std::string sort;
+  std::vector<std::string> without;
   std::string sweep;
   std::string coat;
   bool stats = false;
   bool verbose = false;
+  bool bands = false;        // columns of the CSV
   bool allow_empty = false;  // the list of --files-from may be empty
 };
 

@@ -5,6 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/base/files/input.h"
+#include "core/base/text/ascii.h"
+#include "core/certainty/publications.h"
+#include "core/material/find.h"
+#include "core/material/names.h"
 
 namespace etak::cli {
 
@@ -23,6 +27,29 @@ void add_input_options(Command verb, InputNames& names) {
 void add_all_datasets_option(Command verb, InputNames& names) {
   verb.flag("--all-datasets", names.all_datasets,
             "every dataset of each material, in place of the preferred one");
+}
+
+void add_without_option(Command verb, std::vector<std::string>& without) {
+  verb.option("--without", without,
+              "leave a publication out, as if it were not known; may be repeated: titanium/johnson-1974")
+      .one_at_a_time()
+      .value_name("ID/DATASET");
+}
+
+std::map<std::string, std::optional<Material>> materials_without(const MaterialLibrary& library,
+                                                                 const std::vector<std::string>& names) {
+  std::map<std::string, std::optional<Material>> out;
+  for (const std::string& name : names) {
+    const auto found = find_material(library, name);
+    if (!found || found->dataset.empty())
+      throw Error::at("--without", printable(name) + " names no dataset",
+                      "a material and its dataset: gold/mcpeak-2015");
+    const std::string& id = found->answer.material.id;
+    const Dataset& dataset = dataset_named(found->answer.material, found->dataset, "--without");
+    const auto known = out.try_emplace(id, found->answer.material).first;
+    if (known->second) known->second = without_publication(std::move(*known->second), dataset);
+  }
+  return out;
 }
 
 std::vector<MaterialInput> find_tables(const InputNames& names, Library& library, unsigned threads,

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,14 @@ void add_all_datasets_option(Command verb, InputNames& names);
 /// find_inputs() without the text files of folders that hold no table; remarks tell how many were left out.
 std::vector<MaterialInput> find_tables(const InputNames& names, Library& library, unsigned threads,
                                        const OutputArguments& output);
+
+/// Adds --without ID/DATASET.
+void add_without_option(Command verb, std::vector<std::string>& without);
+
+/// The materials of the library without the publications of the datasets named, by id; none of a material of which no
+/// dataset is left. Throws Error for a name that is no dataset of the library.
+std::map<std::string, std::optional<Material>> materials_without(const MaterialLibrary& library,
+                                                                 const std::vector<std::string>& names);
 
 /// The names in a list file ("-": standard input), separated by NUL bytes where the file has one, else by
 /// line ends. take() hands them out in parts, so that a run over a million names holds only the text of the

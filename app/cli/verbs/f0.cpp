@@ -49,6 +49,10 @@ void add_f0(CommandLine& line) {
           "one stack with thicknesses of a layer (1 is the outermost): LAYER=FIRST:LAST:COUNT, as in "
           "1=0nm:400nm:81, or LAYER=VALUE,VALUE,...; with --format svg a strip of colours over thickness and angle")
       .value_name("LAYER=THICKNESSES");
+  add_without_option(verb, arguments->without);
+  verb.flag(
+      "--bands", arguments->bands,
+      "columns of the CSV that say how far a new publication would lie from F0 (publications, de50, de90)");
   verb.flag("-v,--verbose", arguments->verbose,
             "below a table, what its flags mean and the policy that its numbers were computed by");
   verb.flag("--stats", arguments->stats, "time per stage and MB/s on standard error");

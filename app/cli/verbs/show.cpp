@@ -36,9 +36,9 @@ std::vector<std::string> named_datasets(const std::vector<MaterialInput>& inputs
 
 // The record of the material, followed by the policy unless -q is given.
 std::string text_form(const MaterialReport& report, const std::vector<MaterialInput>& inputs,
-                      const F0Options& options, const OutputArguments& output) {
-  const std::string out = record_text(report, options, named_datasets(inputs), use_color(output));
-  return output.quiet ? out : out + "\nF0: " + line_text(policy(options)) + '\n';
+                      const F0Solver& solver, const OutputArguments& output) {
+  const std::string out = record_text(report, solver, named_datasets(inputs), use_color(output));
+  return output.quiet ? out : out + "\nF0: " + line_text(policy(solver.options())) + '\n';
 }
 
 int run(ShowArguments& arguments) {
@@ -57,13 +57,13 @@ int run(ShowArguments& arguments) {
       }));
   if (!one || inputs.front().from_folder)
     throw Error::at(arguments.inputs.names.front(), "is a folder", "one material or file");
-  MaterialReport report{read_material(inputs.front(), tables), {}};
+  MaterialReport report{read_material(inputs.front(), tables), {}, arguments.compute.axis_average};
   for (const Dataset& dataset : report.material.datasets)
     report.results.push_back(
         solve_averaged(arguments.compute.axis_average, solver, report.material, dataset));
   write_output(arguments.output, arguments.output.format == "json"
-                                     ? record_json(report, solver.options())
-                                     : text_form(report, inputs, solver.options(), arguments.output));
+                                     ? record_json(report, solver)
+                                     : text_form(report, inputs, solver, arguments.output));
   return exit_ok;
 }
 

@@ -127,6 +127,17 @@ std::string json_coat(const CoatedF0& coat) {
                      -1);
 }
 
+std::string json_band(const Band& band) {
+  return json_object({{"publications", json(band.publications)},
+                      {"class", json(name(band.kind))},
+                      {"de50", json(band.de50)},
+                      {"de90", json(band.de90)},
+                      {"low90", json(band.low90)},
+                      {"high90", json(band.high90)},
+                      {"y90", array(band.y90)}},
+                     -1);
+}
+
 std::string json_integration(const IntegrationStep& step) {
   return json_object({{"method", json(name(step.method))},
                       {"estimated_error", json(step.error)},
@@ -169,6 +180,8 @@ std::vector<Member> result_members(const F0Row& row, const Instrument& instrumen
                               {"kind", row.kind.empty() ? null : json(row.kind)},
                               {"doubtful", row.doubt.empty() ? null : json(row.doubt)},
                               {"clear", json_clear(row.clear, json)},
+                              {"band", row.band ? json_band(*row.band) : null},
+                              {"band_reason", row.band ? null : json(row.band_reason)},
                               {"refused", has ? null : json(r.refusal)}};
   if (r.mean) members.push_back({"mean", json_mean(r)});
   if (instrument.any())

@@ -25,6 +25,9 @@ void append_meanings(std::string& out, std::span<const F0Row> rows, std::size_t 
   });
 }
 
+constexpr std::string_view band_text =
+    "dE 90 %: nine of ten new publications of the material would have an F0 within this CIEDE2000 of the one in the table.";
+
 // What is known of each clear body.
 void append_bodies(std::string& out, std::span<const F0Row> rows, std::size_t line_width) {
   bool any = false;
@@ -33,6 +36,17 @@ void append_bodies(std::string& out, std::span<const F0Row> rows, std::size_t li
     if (!any) out += '\n';
     any = true;
     out += wrapped(line_text(row.path) + ", a clear body: " + clear_body_text(*row.clear), 0, line_width);
+  }
+}
+
+// How far new publications would lie from each F0.
+void append_bands(std::string& out, std::span<const F0Row> rows, std::size_t line_width) {
+  bool any = false;
+  for (const F0Row& row : rows) {
+    if (!row.band) continue;
+    if (!any) append(out, '\n', wrapped(band_text, 0, line_width));
+    any = true;
+    out += wrapped(line_text(row.path) + ": " + words(*row.band), 0, line_width);
   }
 }
 
@@ -64,6 +78,7 @@ std::string f0_legend(std::span<const F0Row> rows, const F0Options& options, std
   append_meanings(out, rows, line_width);
   append_bodies(out, rows, line_width);
   append_means(out, rows, line_width);
+  append_bands(out, rows, line_width);
   if (std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return row.coat.has_value(); }))
     append(out, '\n', wrapped(coat_text, 0, line_width));
   if (!rows.empty()) out += '\n';

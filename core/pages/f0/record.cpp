@@ -7,7 +7,9 @@
 #include "core/base/json/json_text.h"
 #include "core/base/number.h"
 #include "core/base/text/text.h"
+#include "core/certainty/publications.h"
 #include "core/color/srgb.h"
+#include "core/exchange/f0_worker.h"
 #include "core/material/appearance.h"
 #include "core/material/json.h"
 #include "core/material/quality.h"
@@ -108,6 +110,20 @@ void append_spread(std::string& out, const Spread& range) {
                channel("b ", range.least8.b, range.most8.b));
 }
 
+// How far new publications would lie from the F0 of the preferred dataset, and which datasets do not count.
+void append_band(std::string& out, const MaterialReport& report, const F0Solver& solver) {
+  const Material& material = report.material;
+  if (report.averaged) return;
+  const MaterialBand found =
+      material_band(solver, material, material.preferred_dataset(), report.results[material.preferred]);
+  const auto line = [&](std::string_view label, const std::string& text) {
+    append_labelled(out, 2, 11, label, text);
+  };
+  line("band", found.band ? words(*found.band) : "none: " + found.reason);
+  for (const Publication& each : found.publications)
+    if (!each.left_out.empty()) line("", each.dataset->id + " does not count: " + each.left_out);
+}
+
 // A JSON document, indented to stand as a member of a larger one.
 std::string nested(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
@@ -118,7 +134,7 @@ std::string nested(std::string text) {
 
 }  // namespace
 
-std::string record_text(const MaterialReport& report, const F0Options& options,
+std::string record_text(const MaterialReport& report, const F0Solver& solver,
                         std::span<const std::string> datasets, bool color) {
   const Material& material = report.material;
   std::string out = line_text(material.name + " (" + material.id + "), " + material.material_class) + '\n';
@@ -129,14 +145,15 @@ std::string record_text(const MaterialReport& report, const F0Options& options,
   for (const AliasNote& each : material.alias_notes) line("", each.alias + ": " + each.note);
   line("preferred", material.preferred_dataset().id + ": " + material.preferred_reason);
   append_spread(out, spread(report));
+  append_band(out, report, solver);
   for (std::size_t i = 0; i < report.results.size(); ++i)
     if (datasets.empty() ||
         std::find(datasets.begin(), datasets.end(), material.datasets[i].id) != datasets.end())
-      append_dataset(out, material, i, report.results[i], options, color);
+      append_dataset(out, material, i, report.results[i], solver.options(), color);
   return out;
 }
 
-std::string record_json(const MaterialReport& report, const F0Options& options) {
+std::string record_json(const MaterialReport& report, const F0Solver& solver) {
   const Material& material = report.material;
   std::vector<F0Row> rows;
   for (std::size_t i = 0; i < report.results.size(); ++i) {
@@ -149,7 +166,11 @@ std::string record_json(const MaterialReport& report, const F0Options& options) 
                     .result = report.results[i],
                     .kind = std::string(name(dataset.origin)),
                     .doubt = doubt(material, dataset),
-                    .clear = clear_body(material, dataset, options.space)});
+                    .clear = clear_body(material, dataset, solver.options().space)});
+    if (report.averaged)
+      rows.back().band_reason = "a mean over the axes of a crystal";
+    else
+      set_band(rows.back(), solver, material, dataset);
   }
   const auto array = [](double a, double b, double c) {
     return "[" + number(a, 17) + ", " + number(b, 17) + ", " + number(c, 17) + "]";
@@ -164,7 +185,7 @@ std::string record_json(const MaterialReport& report, const F0Options& options) 
   }
   return json_document("etak-show/1", {{"material", nested(format_material(material))},
                                        {"spread", json_object(range, -1)},
-                                       {"f0", nested(f0_json(rows, options))}});
+                                       {"f0", nested(f0_json(rows, solver.options()))}});
 }
 
 }  // namespace etak

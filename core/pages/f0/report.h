@@ -14,6 +14,7 @@ namespace etak {
 struct MaterialReport {
   Material material;
   std::vector<F0Result> results;  // one per dataset, same order
+  bool averaged = false;          // over the axes of crystals; such results have no bands
 };
 
 /// How far the published datasets of a material disagree: the smallest and the largest F0 per channel over
@@ -33,10 +34,14 @@ Spread spread(const MaterialReport& report);
 /// says where that is needed; lines end in '\n'.
 ///   coat   with the columns of a coat behind them (CoatedF0): coat_n, and r, g, b of F0 and F82 under it, of F0 and F82
 ///          of the whole, and of what is left, `left_r`; empty of a row without a coat
-std::string f0_csv_header(bool coat = false);
+///   band   with those of Band behind them: publications, de50, de90; empty of a row without a band
+struct F0CsvColumns {
+  bool coat = false, band = false;
+};
+std::string f0_csv_header(F0CsvColumns more = {});
 void append_f0_csv(std::string& out, std::string_view path, const F0Result& result,
                    std::string_view kind = {});
-void append_f0_csv(std::string& out, const F0Row& row, bool coat);
+void append_f0_csv(std::string& out, const F0Row& row, F0CsvColumns more);
 
 /// The flags field of the CSV, also used by the table.
 std::string flags_text(const F0Result& result);
@@ -63,12 +68,12 @@ std::string f0_jsonl(std::span<const F0Row> rows, const F0Options& options);
 /// One material as text for people: names, spread, and each dataset with its F0, sample, data and source.
 ///   datasets   ids of the datasets to list; empty: all
 ///   color      a swatch stands behind each F0, for terminals
-std::string record_text(const MaterialReport& report, const F0Options& options,
+std::string record_text(const MaterialReport& report, const F0Solver& solver,
                         std::span<const std::string> datasets, bool color);
 
 /// One material as JSON: {"schema": "etak-show/1", "material": {...}, "spread": {...}, "f0": {...}} with the
 /// content of a material file as "material" and that of f0_json() as "f0".
-std::string record_json(const MaterialReport& report, const F0Options& options);
+std::string record_json(const MaterialReport& report, const F0Solver& solver);
 
 /// An HTML page of a list of materials: a table with swatches, and for each material its datasets, their
 /// spread and sources, and plots of n, k and R. The page is one file that needs nothing from the network.

@@ -90,10 +90,11 @@ std::string integration_text(const IntegrationStep& step) {
 
 // Which of the columns that only some tables have are there.
 struct Extra {
-  bool integration = false, kind = false;
+  bool integration = false, kind = false, band = false;
 };
 
 void append_last_cells(Cells& cells, const F0Row& row, Extra extra) {
+  if (extra.band) cells.push_back(row.band ? fixed(row.band->de90, 1) : "-");
   if (extra.kind) cells.push_back(row.kind.empty() ? "-" : row.kind);
   cells.push_back(line_text(flags_text(row.result)));
 }
@@ -198,13 +199,14 @@ Spread spread(const MaterialReport& report) {
   return s;
 }
 
-std::string f0_csv_header(bool coat) {
+std::string f0_csv_header(F0CsvColumns more) {
   std::string out = "path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags,kind";
-  if (coat) {
+  if (more.coat) {
     out += ",coat_n";
     for (const char* part : {"under", "under_F82", "coated", "coated_F82", "left"})
       for (const char channel : channel_letters) append(out, ',', part, '_', channel);
   }
+  if (more.band) out += ",publications,de50,de90";
   return out + '\n';
 }
 
@@ -264,10 +266,10 @@ void append_f0_csv(std::string& out, std::string_view path, const F0Result& resu
   out += '\n';
 }
 
-void append_f0_csv(std::string& out, const F0Row& row, bool coat) {
+void append_f0_csv(std::string& out, const F0Row& row, F0CsvColumns more) {
   append_fields(out, row.path, row.result, row.kind);
-  if (coat && !row.coat) out.append(16, ',');
-  if (coat && row.coat) {
+  if (more.coat && !row.coat) out.append(16, ',');
+  if (more.coat && row.coat) {
     out += ',';
     append_csv_number(out, row.coat->n);
     for (const F0Result* part : {&row.coat->under, &row.coat->whole}) {
@@ -275,6 +277,14 @@ void append_f0_csv(std::string& out, const F0Row& row, bool coat) {
       append_numbers(out, part->f82);
     }
     append_numbers(out, row.coat->energy_left.linear);
+  }
+  if (more.band && !row.band) out += ",,,";
+  if (more.band && row.band) {
+    append(out, ',', std::to_string(row.band->publications));
+    for (const double radius : {row.band->de50, row.band->de90}) {
+      out += ',';
+      append_csv_number(out, radius);
+    }
   }
   out += '\n';
 }
@@ -288,11 +298,13 @@ std::string f0_table(std::span<const F0Row> given, const F0Options& options, boo
   // Bare tables and pages of the database do not say of which kind they are: the column may be missing.
   const Extra extra{
       options.method == Method::automatic,
-      std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return !row.kind.empty(); })};
+      std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return !row.kind.empty(); }),
+      std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return row.band.has_value(); })};
   std::vector<Column> columns{{"id"},   {channel[0], true}, {channel[1], true}, {channel[2], true},
                               {"hex"},  {"8 bit", true},    {"Y", true},        {"F82"},
                               {"zone"}, {"coverage", true}, {"flags"}};
   if (extra.integration) columns.insert(columns.end() - 1, {"integration, error"});
+  if (extra.band) columns.insert(columns.end() - 1, {"dE 90 %", true});
   if (extra.kind) columns.insert(columns.end() - 1, {"kind"});
   std::vector<Cells> lines{{}};
   for (const Column& column : columns) lines.front().push_back(column.title);

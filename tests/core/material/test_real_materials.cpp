@@ -38,10 +38,14 @@ std::vector<std::string> split(const std::string& text, char at) {
 
 }  // namespace
 
-TEST_CASE("gold is out of the sRGB gamut in red only") {
+TEST_CASE("gold is out of the sRGB gamut in red only, but for one thin film and one set of 1975") {
   for (const auto& dataset : material("gold").datasets) {
     INFO(dataset.id);
     const F0Result got = solve(dataset.optics);
+    if (dataset.id == "ciesielski-2018-35nm" || dataset.id == "hagemann-1975") {
+      CHECK(got.linear.r < 1);
+      continue;
+    }
     CHECK(got.flags.has(Flag::out_of_gamut));
     CHECK(got.linear.r > 1);
     CHECK(got.gamut_excess[0] == Approx(got.linear.r - 1).epsilon(1e-12));

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "app/cli/inputs/colors.h"
+#include "app/cli/inputs/inputs.h"
+#include "app/cli/options/options.h"
+#include "app/cli/output/output.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
+#include "core/base/parallel.h"
+#include "core/base/text/text.h"
+#include "core/color/srgb.h"
+#include "core/exchange/table.h"
+#include "core/material/names.h"
+#include "core/material/stack_text.h"
+#include "core/pages/lists/identify.h"
+
+namespace etak::cli {
+namespace {
+
+struct IdentifyArguments {
+  std::vector<std::string> color;
+  std::string f82, prior, film, measured, stack;
+  std::vector<std::string> classes, without, oxides;
+  bool linear = false;
+  F0Settings compute;
+  OutputArguments output;
+  Library library;
+  unsigned threads = 0;
+};
+
+// Films that grow on metals, or are put on them, and are seen as colours.
+constexpr std::array<const char*, 7> usual_films{"titania_amorphous", "tantala",  "niobia", "sapphire",
+                                                 "fused_silica",      "hematite", "zincite"};
+// How far a film's colour may lie from the one that is asked for; of 8-bit codes their step is added.
+constexpr double film_tolerance = 1, code_tolerance = 0.5;
+
+// The colours that are asked for: the one of the line, or a line each of standard input.
+std::vector<std::string> asked_colors(const IdentifyArguments& arguments) {
+  const std::string& typed = one_color(arguments.color);
+  if (typed != "-") return {typed};
+  std::vector<std::string> out;
+  for (const std::string& line : ListedNames(accept_input(typed)).take())
+    if (!line.empty()) out.push_back(line);
+  if (out.empty()) throw Error::at("<stdin>", "holds no colour", "a colour a line");
+  return out;
+}
+
+AskedColour asked_color(const std::string& typed, IdentifyArguments& arguments, const F0Solver& solver) {
+  AskedColour out;
+  if (!arguments.linear && !is_color(typed, arguments.library)) {
+    out.f0 = color_of(typed, "", arguments.library, arguments.compute, solver, arguments.output);
+  } else {
+    const TypedColor color = typed_color(typed, arguments.linear, solver.options());
+    const auto* linear = std::get_if<LinearRgb>(&color);
+    out.eight_bit = linear == nullptr;
+    out.f0 = linear ? *linear : srgb_decode(std::get<Srgb8>(color));
+  }
+  if (!arguments.f82.empty()) {
+    const TypedColor color = typed_color(arguments.f82, arguments.linear, solver.options());
+    const auto* linear = std::get_if<LinearRgb>(&color);
+    out.f82 = linear ? *linear : srgb_decode(std::get<Srgb8>(color));
+  }
+  check_asked(out, printable(typed));
+  return out;
+}
+
+int identify_colors(IdentifyArguments& arguments, const F0Solver& solver) {
+  const std::vector<std::string> colors = asked_colors(arguments);
+  const MaterialLibrary& library = arguments.library.get();
+  const Prior prior =
+      arguments.prior.empty() ? Prior{} : parse_prior(read_file(arguments.prior), arguments.prior, library);
+  Identifier identifier(library, solver, arguments.classes, thread_count(arguments.threads));
+  for (auto& [id, material] : materials_without(library, arguments.without))
+    identifier.replace(id, std::move(material), solver);
+  std::vector<IdentifiedColor> answers;
+  for (const std::string& typed : colors)
+    answers.push_back({typed, identifier.identify(asked_color(typed, arguments, solver), prior)});
+  write_output(arguments.output, arguments.output.format == "json"
+                                     ? identify_json(answers)
+                                     : identify_text(answers, use_color(arguments.output)));
+  return exit_ok;
+}
+
+Stack stack_named(const StackText& text, const MaterialLibrary& library) {
+  const Material material = *library.find(format_stack(text));
+  return std::get<Stack>(material.preferred_dataset().optics);
+}
+
+int identify_films(IdentifyArguments& arguments, const F0Solver& solver) {
+  const MaterialLibrary& library = arguments.library.get();
+  std::vector<std::string> films = arguments.oxides;
+  if (films.empty()) films.assign(usual_films.begin(), usual_films.end());
+  std::vector<IdentifiedFilm> answers;
+  for (const std::string& typed : asked_colors(arguments)) {
+    const AskedColour asked = asked_color(typed, arguments, solver);
+    std::vector<std::vector<FilmOnMetal>> found(films.size());
+    parallel_chunks(
+        films.size(), thread_count(arguments.threads), 1, [&](std::size_t i, std::size_t, unsigned) {
+          StackText text{{{films[i], 0.0, true, ":0nm"}}, arguments.film};
+          const Stack stack = stack_named(text, library);
+          const double tolerance = film_tolerance + (asked.eight_bit ? code_tolerance : 0);
+          for (const FittedThickness& fit :
+               thickness_of_colour(stack, 0, asked.f0, tolerance, solver.options()))
+            found[i].push_back({stack.media[stack.layers[0].medium].id, stack.media[stack.base].id, fit});
+        });
+    IdentifiedFilm& answer = answers.emplace_back();
+    answer.input = typed;
+    for (auto& each : found) answer.answers.insert(answer.answers.end(), each.begin(), each.end());
+    std::stable_sort(answer.answers.begin(), answer.answers.end(),
+                     [](const FilmOnMetal& a, const FilmOnMetal& b) { return a.fit.misfit < b.fit.misfit; });
+  }
+  write_output(arguments.output,
+               arguments.output.format == "json" ? identify_json(answers) : identify_text(answers));
+  return exit_ok;
+}
+
+int identify_thickness(IdentifyArguments& arguments, const F0Solver& solver) {
+  if (!arguments.color.empty())
+    throw Error::at("--measured", "beside a colour", "a spectrum and --stack alone");
+  if (arguments.stack.empty())
+    throw Error::at("--measured", "without --stack",
+                    "a stack with one unknown thickness, such as polystyrene:?nm/silicon");
+  StackText text = parse_stack(arguments.stack, "--stack");
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < text.layers.size(); ++i)
+    if (!text.layers[i].thickness_nm) unknown.push_back(i);
+  if (unknown.size() != 1)
+    throw Error::at(
+        "--stack",
+        std::to_string(unknown.size()) + " unknown thicknesses in " + printable(arguments.stack, 80),
+        "one, written ?nm");
+  set_thickness(text.layers[unknown[0]], 0);
+  const Stack stack = stack_named(text, arguments.library.get());
+  const Table table = parse_table(read_file(arguments.measured), arguments.measured, TableOptions{});
+  const auto* reflectance = std::get_if<Reflectance>(&table.optics);
+  if (reflectance == nullptr)
+    throw Error::at(arguments.measured, "holds n and k", "a table of wavelength and reflectance R");
+  const IdentifiedThickness answer{
+      arguments.measured, arguments.stack,
+      thickness_of_spectrum(stack, unknown[0], reflectance->spectrum, solver.options())};
+  write_output(arguments.output,
+               arguments.output.format == "json" ? identify_json(answer) : identify_text(answer));
+  return exit_ok;
+}
+
+int run(IdentifyArguments& arguments) {
+  const F0Solver solver{f0_options(arguments.compute, arguments.library)};
+  if (!arguments.measured.empty()) return identify_thickness(arguments, solver);
+  if (!arguments.stack.empty()) throw Error::at("--stack", "without --measured", "the spectrum of the stack");
+  if (arguments.color.empty()) throw Error::at("etak identify", "no colour", color_forms);
+  if (!arguments.film.empty()) return identify_films(arguments, solver);
+  if (!arguments.oxides.empty()) throw Error::at("--oxide", "without --film", "--film METAL");
+  return identify_colors(arguments, solver);
+}
+
+}  // namespace
+
+void add_identify(CommandLine& line) {
+  const auto arguments = std::make_shared<IdentifyArguments>();
+  Command verb = line.verb("identify", "which material a colour could be, or how thick a film is");
+  verb.option("COLOUR", arguments->color, std::string(color_forms) + ", or - for a list, one a line")
+      .value_name("");
+  verb.flag("--linear", arguments->linear, "COLOUR is linear, in --space");
+  verb.option("--f82", arguments->f82, "reflectance at 82 degrees, a colour in the form of COLOUR")
+      .value_name("COLOUR");
+  add_class_option(verb, arguments->classes, "only this class; may be repeated");
+  verb.option(
+          "--prior", arguments->prior,
+          "CSV of id and weight: how much more likely materials are than those that it does not name (weight 1)")
+      .reads_file()
+      .value_name("FILE");
+  add_without_option(verb, arguments->without);
+  verb.option("--film", arguments->film, "the metal under a film whose thickness gives the colour")
+      .value_name("METAL");
+  verb.option("--oxide", arguments->oxides,
+              "a film to try, with --film; may be repeated (default: " + joined(usual_films) + ")")
+      .one_at_a_time()
+      .value_name("MATERIAL");
+  verb.option("--measured", arguments->measured,
+              "table of wavelength and reflectance R of a stack with one unknown thickness")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--stack", arguments->stack, "that stack: polystyrene:?nm/silicon").value_name("STACK");
+  add_compute_options(verb, arguments->compute);
+  add_library_options(verb, arguments->library);
+  add_output_options(verb, arguments->output, {"table", "json"});
+  add_thread_option(verb, arguments->threads);
+  verb.footer(
+      "p is the probability among the materials of the library, dE is CIEDE2000, and \"of band\" is dE over the\n"
+      "distance within which nine of ten new publications of the material would lie.\n"
+      "Example:\n  etak identify '#f5c65a'");
+  verb.runs([arguments] { return run(*arguments); });
+}
+
+}  // namespace etak::cli

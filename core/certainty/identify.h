@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/certainty/bands.h"
+#include "core/material/catalogue.h"
+
+namespace etak {
+
+// Which material could a colour be? Each material with a band is a hypothesis: colours of new publications of it lie about
+// its stated F0 with the density of a bivariate Cauchy distribution in CIEDE2000 whose scale is a sixth of the band's
+// nine-tenths radius. The form and the sixth were chosen once on the publications that the library holds;
+// resources/doc/uncertainty.md says how well probabilities and shares agree.
+
+/// What is asked.
+///   f0          linear sRGB, each channel within [0, 1.1]
+///   f82         reflectance at cosine 1/7, as a second witness
+///   eight_bit   the colour was rounded to 8 bits, so that differences below a code say nothing
+struct AskedColour {
+  LinearRgb f0;
+  std::optional<LinearRgb> f82;
+  bool eight_bit = false;
+};
+
+/// A material that the colour could be.
+///   p            probability among the materials of the library
+///   delta_e      CIEDE2000 between the colour and its F0
+///   band_share   delta_e over the band's nine-tenths radius
+struct PossibleMaterial {
+  const CatalogueEntry* entry = nullptr;
+  double p = 0, delta_e = 0, band_share = 0;
+};
+
+/// none: the colour lies outside of the nine-tenths band of every material, by CIEDE2000 or in a channel; sure: the first has p of at least 0.8.
+enum class ColourVerdict { sure, ambiguous, none };
+std::string_view name(ColourVerdict verdict);
+inline constexpr double sure_probability = 0.8;
+
+/// The answer to one colour.
+///   candidates   the most probable first, until they hold 0.9 together, and at least three (of fewer: all)
+///   groups       indices of candidates that cannot be told apart: half of the new publications of one would lie as far off
+///                as the other's F0; only groups of two or more
+struct Identified {
+  ColourVerdict verdict = ColourVerdict::none;
+  std::vector<PossibleMaterial> candidates;
+  std::vector<std::vector<std::size_t>> groups;
+};
+
+/// Throws Error (with `place`) for a colour that is outside of [0, 1.1].
+void check_asked(const AskedColour& asked, std::string_view place);
+
+/// A prior: weights by material; those that it does not name have 1.
+using Prior = std::map<std::string, double, std::less<>>;
+/// Reads a CSV with the columns id and weight. Throws Error with file and line, for a weight below 0, for an id that is no
+/// material with a band, and where it names none.
+Prior parse_prior(std::string_view text, std::string_view file, const MaterialLibrary& library);
+
+/// The materials with bands of a library, as hypotheses. Built once, const and shared between threads in use.
+class Identifier {
+ public:
+  /// Materials with a band under the solver's options, on `threads` threads.
+  ///   classes   only these; empty: all. Throws Error for a class that no material can have
+  Identifier(const MaterialLibrary& library, const F0Solver& solver, const std::vector<std::string>& classes,
+             unsigned threads);
+
+  Identified identify(const AskedColour& asked, const Prior& prior = {}) const;
+
+  /// Puts a material in the place of the hypothesis of that id; none: takes it out.
+  void replace(std::string_view id, std::optional<Material> material, const F0Solver& solver);
+
+ private:
+  struct Hypothesis {
+    CatalogueEntry entry;
+    Band band;
+    std::optional<LinearRgb> f82;
+  };
+  static std::optional<Hypothesis> hypothesis(CatalogueEntry entry, const F0Solver& solver);
+  std::vector<Hypothesis> hypotheses_;
+};
+
+}  // namespace etak

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/certainty/identify.h"
+#include "core/certainty/thickness.h"
+
+namespace etak {
+
+// What `etak identify` answers, as text for people and as JSON by resources/schema/identify.schema.json.
+
+/// The answer to a colour.
+///   input   as it was typed
+struct IdentifiedColor {
+  std::string input;
+  Identified answer;
+};
+std::string identify_text(std::span<const IdentifiedColor> answers, bool color);
+std::string identify_json(std::span<const IdentifiedColor> answers);
+
+/// The films that could give a metal a colour, best first.
+struct FilmOnMetal {
+  std::string film, metal;
+  FittedThickness fit;
+};
+struct IdentifiedFilm {
+  std::string input;
+  std::vector<FilmOnMetal> answers;
+};
+std::string identify_text(std::span<const IdentifiedFilm> answers);
+std::string identify_json(std::span<const IdentifiedFilm> answers);
+
+/// The thickness of a layer by a measured spectrum.
+///   stack   with '?' where the thickness was looked for
+struct IdentifiedThickness {
+  std::string input, stack;
+  SpectrumFit fit;
+};
+std::string identify_text(const IdentifiedThickness& answer);
+std::string identify_json(const IdentifiedThickness& answer);
+
+}  // namespace etak
