@@ -82,7 +82,7 @@ Band band(BandClass kind, const LinearRgb& stated, std::span<const LinearRgb> ot
   out.kind = kind;
   out.publications = 1 + others.size();
   out.farthest = farthest;
-  out.disagree = farthest > 2 * of.mean[offset_de];
+  out.disagree = farthest > of.mean[offset_de] * table.nine_one[offset_de];
   return out;
 }
 

@@ -62,7 +62,7 @@ std::string format_bands(const BandTable& table);
 ///   low90, high90  nine of ten would have this channel of linear sRGB between these, channel by channel
 ///   y90            and this luminance
 ///   farthest       CIEDE2000 of the publication that lies farthest from the stated one
-///   disagree       it lies more than twice as far off as publications of this class do on the mean
+///   disagree       it lies farther off than nine of ten publications of this class lie from another
 struct Band {
   std::size_t publications = 1;
   BandClass kind = BandClass::metal;

@@ -218,4 +218,34 @@ BandRules leave_one_out(std::span<const PublishedMaterial> materials) {
   return out;
 }
 
+CoverAt cover_at(std::span<const PublishedMaterial> materials, double nominal) {
+  const std::vector<Residual> all = residuals(materials);
+  CoverAt out;
+  out.nominal = nominal;
+  std::array<double, band_class_count> count{};
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    const BandTable table = band_table(materials, all, m);
+    const auto scaled = [&](const Residual& residual) {
+      return residual.off[offset_de] / band_scale(table.of(residual.kind).mean, residual.others)[offset_de];
+    };
+    for (const Residual& mine : all) {
+      if (mine.material != m) continue;
+      std::vector<double> others;
+      for (const Residual& each : all)
+        if (each.material != m && each.several() == mine.several() &&
+            (nominal >= pooled_from || each.kind == mine.kind))
+          others.push_back(scaled(each));
+      const double inside = scaled(mine) <= quantile(std::move(others), nominal) ? 1 : 0;
+      const auto kind = static_cast<std::size_t>(mine.kind);
+      count[kind] += 1;
+      out.by_class[kind] += inside;
+      out.all += inside;
+    }
+  }
+  out.all /= double(all.size());
+  for (std::size_t kind = 0; kind < band_class_count; ++kind)
+    out.by_class[kind] /= std::max(count[kind], 1.0);
+  return out;
+}
+
 }  // namespace etak

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -61,5 +62,14 @@ struct BandRules {
   BandCover student, range;
 };
 BandRules leave_one_out(std::span<const PublishedMaterial> materials);
+
+/// The share of left-out publications that lie within the radius of a nominal share, of all and by class: by the quantiles of
+/// a class below pooled_from and by those of all classes from there on, as the rule takes 0.5 and 0.9.
+struct CoverAt {
+  double nominal = 0, all = 0;
+  std::array<double, band_class_count> by_class{};
+};
+inline constexpr double pooled_from = 0.8;
+CoverAt cover_at(std::span<const PublishedMaterial> materials, double nominal);
 
 }  // namespace etak

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pages/lists/identify.h"
 
+#include <algorithm>
+#include <span>
+
 #include "core/base/json/json_text.h"
 #include "core/base/number.h"
 #include "core/base/text/text.h"
@@ -13,6 +16,7 @@ namespace {
 
 constexpr std::string_view identify_schema = "etak-identify/1";
 constexpr int json_digits = 6;
+constexpr std::size_t most_shown = 8;  // rows of a table; JSON has all
 
 std::string json_number(double value) {
   return number(value, json_digits);
@@ -77,6 +81,18 @@ std::string fit_members(const FittedThickness& fit) {
                      -1);
 }
 
+std::string thickness_object(const IdentifiedThickness& answer) {
+  const SpectrumFit& fit = answer.fit;
+  return json_object({{"input", json(valid_utf8(answer.input))},
+                      {"stack", json(answer.stack)},
+                      {"thickness_nm", json_number(fit.best.thickness_nm)},
+                      {"interval_nm", json_pair(fit.best.interval_nm)},
+                      {"rms", json_number(fit.best.misfit)},
+                      {"delta_e", fit.delta_e ? json_number(*fit.delta_e) : "null"},
+                      {"others", json_lines_of(fit.others, 6, fit_members)}},
+                     4);
+}
+
 std::string nm(double value) {
   return fixed(value, 1) + " nm";
 }
@@ -100,7 +116,11 @@ std::string identify_text(std::span<const IdentifiedColor> answers, bool color) 
     append(out, out.empty() ? "" : "\n", line_text(each.input), ": ", words_of(each.answer.verdict), '\n');
     std::vector<TextRow> rows{
         {{"p", "dE", "of band", "sRGB   ", "id", "name", "class"}, color ? "     " : "  "}};
-    for (const PossibleMaterial& candidate : each.answer.candidates) {
+    const std::vector<PossibleMaterial>& all = each.answer.candidates;
+    const std::size_t shown = std::min(all.size(), most_shown);
+    double left = 0;
+    for (std::size_t i = shown; i < all.size(); ++i) left += all[i].p;
+    for (const PossibleMaterial& candidate : std::span(all).first(shown)) {
       const Material& material = candidate.entry->material;
       const Srgb8& codes = candidate.entry->result.srgb8;
       rows.push_back({{fixed(candidate.p, 2), fixed(candidate.delta_e, 1), fixed(candidate.band_share, 2),
@@ -108,9 +128,14 @@ std::string identify_text(std::span<const IdentifiedColor> answers, bool color) 
                       color ? swatch(codes, 2) + "   " : "  "});
     }
     out += text_table(rows);
-    for (const auto& group : each.answer.groups)
-      append(out, "  not told apart: ",
-             joined(group, ", ", [&](std::size_t index) { return id_of(each.answer, index); }), '\n');
+    if (all.size() > shown)
+      append(out, "  and ", std::to_string(all.size() - shown), " more, ", fixed(left, 2), " together\n");
+    for (const auto& group : each.answer.groups) {
+      std::vector<std::string> ids;
+      for (const std::size_t index : group)
+        if (index < shown) ids.push_back(id_of(each.answer, index));
+      if (ids.size() > 1) append(out, "  not told apart: ", joined(ids), '\n');
+    }
   }
   return out;
 }
@@ -151,18 +176,8 @@ std::string identify_text(const IdentifiedThickness& answer) {
 }
 
 std::string identify_json(const IdentifiedThickness& answer) {
-  const SpectrumFit& fit = answer.fit;
-  return json_document(
-      identify_schema,
-      {{"results",
-        json_array(std::vector{json_object({{"input", json(valid_utf8(answer.input))},
-                                            {"stack", json(answer.stack)},
-                                            {"thickness_nm", json_number(fit.best.thickness_nm)},
-                                            {"interval_nm", json_pair(fit.best.interval_nm)},
-                                            {"rms", json_number(fit.best.misfit)},
-                                            {"delta_e", fit.delta_e ? json_number(*fit.delta_e) : "null"},
-                                            {"others", json_lines_of(fit.others, 6, fit_members)}},
-                                           4)})}});
+  return json_document(identify_schema,
+                       {{"results", json_lines_of(std::span(&answer, 1), 2, thickness_object)}});
 }
 
 }  // namespace etak

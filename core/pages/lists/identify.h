@@ -12,7 +12,7 @@ namespace etak {
 
 // What `etak identify` answers, as text for people and as JSON by resources/schema/identify.schema.json.
 
-/// The answer to a colour.
+/// The answer to a colour. The text has its first eight candidates, JSON all.
 ///   input   as it was typed
 struct IdentifiedColor {
   std::string input;
