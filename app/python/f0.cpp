@@ -123,6 +123,7 @@ F0Answer answer(const AskedMaterial& asked, const F0Call& call, const Library& l
   out.solver = call.solver;
   const MaterialInput input = find_one(asked, library);
   F0Job job{*out.solver, table_options(call.tables), call.axis_average, true, false};
+  job.bands = true;
   job.coat = call.coat;
   F0Worker worker;
   F0Outcome outcome = worker.answer(input, job);
@@ -281,6 +282,21 @@ std::optional<py::dict> coat_of(const F0Answer& answer) {
   return out;
 }
 
+std::optional<py::dict> band_of(const F0Answer& answer) {
+  const std::optional<Band>& band = answer.row.band;
+  if (!band) return std::nullopt;
+  py::dict out;
+  out["publications"] = band->publications;
+  out["class"] = std::string(name(band->kind));
+  out["de50"] = band->de50;
+  out["de90"] = band->de90;
+  out["low90"] = tuple_of(band->low90);
+  out["high90"] = tuple_of(band->high90);
+  out["y90"] = py::make_tuple(band->y90[0], band->y90[1]);
+  out["text"] = words(*band);
+  return out;
+}
+
 py::dict meanings_of(const F0Answer& answer) {
   py::dict out;
   answer.result().flags.for_each(
@@ -316,6 +332,10 @@ void add_origin(const auto& get) {
   get("clear",
       "Of a clear body: n_d, Abbe's number v_d, and its colour in `space` through depth_m; None where it is not clear.",
       &clear_of);
+  get("band",
+      "How far a new publication would lie: publications, class, de50 and de90 (CIEDE2000), low90, high90 and y90 (linear sRGB and Y), text; None where band_reason says why.",
+      &band_of);
+  get("band_reason", "Why there is no band; empty: there is one.", of_row(&F0Row::band_reason));
   get("policy", "What the numbers were computed by.", &policy_of);
   get("spread", "Of all datasets of the material; None for a file without a material.", &spread_of);
 }

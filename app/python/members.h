@@ -50,10 +50,14 @@ template <class To, Like<CoatedF0> S>
 void members(To& to, S& s) {
   all_members(to, s.n, s.under, s.whole, s.energy_left, s.passes);
 }
+template <class To, Like<Band> S>
+void members(To& to, S& s) {
+  all_members(to, s.publications, s.kind, s.de50, s.de90, s.low90, s.high90, s.y90, s.farthest, s.disagree);
+}
 template <class To, Like<F0Row> S>
 void members(To& to, S& s) {
   all_members(to, s.path, s.name, s.material_class, s.dataset, s.source, s.result, s.alias_note, s.kind,
-              s.doubt, s.clear, s.coat);
+              s.doubt, s.clear, s.coat, s.band, s.band_reason);
 }
 template <class To, Like<Spread> S>
 void members(To& to, S& s) {

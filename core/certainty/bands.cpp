@@ -86,6 +86,15 @@ Band band(BandClass kind, const LinearRgb& stated, std::span<const LinearRgb> ot
   return out;
 }
 
+bool lies_inside(const Band& band, const LinearRgb& stated, const LinearRgb& colour, double slack) {
+  // A saturated colour may be near enough to a grey metal whose publications disagree in lightness, though none of them
+  // is coloured: the channels tell.
+  const Vec3 low = vec(band.low90), high = vec(band.high90), at = vec(colour);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (!(at[c] >= low[c] - slack && at[c] <= high[c] + slack)) return false;
+  return delta_e2000(to_lab(stated), to_lab(colour)) <= band.de90;
+}
+
 Band computed_band(BandClass kind, const LinearRgb& stated, const BandTable& table) {
   Band out = around(stated, table.computed_half[offset_de], table.computed_nine);
   out.kind = kind;

@@ -78,6 +78,11 @@ struct Band {
 Band band(BandClass kind, const LinearRgb& stated, std::span<const LinearRgb> others,
           const BandTable& table = shipped_bands());
 
+/// Whether a colour lies where nine of ten new publications would: by CIEDE2000, and in each channel.
+///   stated   F0 that the band is of
+///   slack    how much further a channel may lie, as a step of 8 bits does
+bool lies_inside(const Band& band, const LinearRgb& stated, const LinearRgb& colour, double slack = 0);
+
 /// Of an F0 that is computed from theory.
 Band computed_band(BandClass kind, const LinearRgb& stated, const BandTable& table = shipped_bands());
 

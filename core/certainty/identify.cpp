@@ -24,15 +24,6 @@ constexpr double listed_probability = 0.9;
 constexpr std::size_t least_listed = 3;
 constexpr double largest_channel = 1.1;
 
-// Whether a colour lies where nine of ten publications would: by its distance, and channel by channel. A saturated colour
-// may be near enough to a grey metal whose publications disagree in lightness, though none of them is coloured.
-bool lies_inside(const Band& band, const LinearRgb& colour, double delta_e) {
-  const Vec3 low = vec(band.low90), high = vec(band.high90), at = vec(colour);
-  for (std::size_t c = 0; c < 3; ++c)
-    if (!(at[c] >= low[c] && at[c] <= high[c])) return false;
-  return delta_e <= band.de90;
-}
-
 double square(double x) {
   return x * x;
 }
@@ -128,7 +119,7 @@ Identified Identifier::identify(const AskedColour& asked, const Prior& prior) co
   bool inside = false;
   for (const Hypothesis& each : hypotheses_) {
     const double delta_e = distance(asked.f0, each.entry.result.srgb_linear);
-    inside = inside || lies_inside(each.band, asked.f0, delta_e);
+    inside = inside || lies_inside(each.band, each.entry.result.srgb_linear, asked.f0);
     const auto weight = prior.find(each.entry.material.id);
     if (weight != prior.end() && weight->second == 0) continue;
     double squares = square(delta_e);
