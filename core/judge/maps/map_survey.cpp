@@ -221,7 +221,7 @@ class NormalSurvey {
       too_short += is_short ? 1u : 0u;
       too_long += lacks_[i] < -one_code ? 1u : 0u;
       smooth += is_smooth ? 1u : 0u;
-      smooth_short += is_short & is_smooth ? 1u : 0u;
+      smooth_short += is_short && is_smooth ? 1u : 0u;
     }
     NormalShape& shape = out_.shape;
     shape.texels += lacks_.size();
