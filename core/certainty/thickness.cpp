@@ -17,7 +17,7 @@ namespace {
 // How badly a thickness fits.
 using Misfit = std::function<double(double)>;
 
-constexpr double step_nm = 0.5;
+constexpr double step_nm = 1;
 constexpr double exact_nm = 1e-4;
 constexpr auto steps = static_cast<std::size_t>(most_thickness_nm / step_nm);
 
