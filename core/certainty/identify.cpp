@@ -90,11 +90,15 @@ std::optional<Identifier::Hypothesis> Identifier::hypothesis(CatalogueEntry entr
 Identifier::Identifier(const MaterialLibrary& library, const F0Solver& solver,
                        const std::vector<std::string>& classes, unsigned threads) {
   check_classes(classes);
-  std::vector<CatalogueEntry> entries = catalogue(library, solver, threads);
-  std::vector<std::optional<Hypothesis>> found(entries.size());
-  parallel_chunks(entries.size(), threads, 8, [&](std::size_t first, std::size_t last, unsigned) {
-    for (std::size_t i = first; i < last; ++i)
-      if (fits(entries[i], {classes, "", {}})) found[i] = hypothesis(std::move(entries[i]), solver);
+  const std::size_t count = library.ids().size();
+  std::vector<std::optional<Hypothesis>> found(count);
+  parallel_chunks(count, threads, 8, [&](std::size_t first, std::size_t last, unsigned) {
+    for (std::size_t i = first; i < last; ++i) {
+      CatalogueEntry entry{library.at(i), {}};
+      if (!gives_f0(entry.material.material_class) || !fits(entry, {classes, "", {}})) continue;
+      entry.result = solver.solve(entry.material.preferred_dataset().optics);
+      found[i] = hypothesis(std::move(entry), solver);
+    }
   });
   for (std::optional<Hypothesis>& each : found)
     if (each) hypotheses_.push_back(std::move(*each));
