@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/error.h"
@@ -79,12 +80,13 @@ Prior parse_prior(std::string_view text, std::string_view file, const MaterialLi
   return out;
 }
 
-std::optional<Identifier::Hypothesis> Identifier::hypothesis(CatalogueEntry entry, const F0Solver& solver) {
-  const Material& material = entry.material;
-  const MaterialBand found = material_band(solver, material, material.preferred_dataset(), entry.result);
+std::optional<Identifier::Hypothesis> Identifier::hypothesis(Material material, const F0Solver& solver) {
+  const Dataset& stated = material.preferred_dataset();
+  F0Result f0 = solver.solve(stated.optics);
+  const MaterialBand found = material_band(solver, material, stated, f0);
   if (!found.band) return std::nullopt;
-  const std::optional<LinearRgb> f82 = entry.result.f82;
-  return Hypothesis{std::move(entry), *found.band, f82};
+  const std::optional<LinearRgb> f82 = f0.f82;
+  return Hypothesis{{std::move(material), std::move(f0)}, *found.band, f82};
 }
 
 Identifier::Identifier(const MaterialLibrary& library, const F0Solver& solver,
@@ -94,10 +96,10 @@ Identifier::Identifier(const MaterialLibrary& library, const F0Solver& solver,
   std::vector<std::optional<Hypothesis>> found(count);
   parallel_chunks(count, threads, 8, [&](std::size_t first, std::size_t last, unsigned) {
     for (std::size_t i = first; i < last; ++i) {
-      CatalogueEntry entry{library.at(i), {}};
-      if (!gives_f0(entry.material.material_class) || !fits(entry, {classes, "", {}})) continue;
-      entry.result = solver.solve(entry.material.preferred_dataset().optics);
-      found[i] = hypothesis(std::move(entry), solver);
+      Material material = library.at(i);
+      const std::string& its_class = material.material_class;
+      if (gives_f0(its_class) && (classes.empty() || std::ranges::find(classes, its_class) != classes.end()))
+        found[i] = hypothesis(std::move(material), solver);
     }
   });
   for (std::optional<Hypothesis>& each : found)
@@ -107,9 +109,7 @@ Identifier::Identifier(const MaterialLibrary& library, const F0Solver& solver,
 void Identifier::replace(std::string_view id, std::optional<Material> material, const F0Solver& solver) {
   std::erase_if(hypotheses_, [&](const Hypothesis& each) { return each.entry.material.id == id; });
   if (!material) return;
-  CatalogueEntry entry{std::move(*material), {}};
-  entry.result = solver.solve(entry.material.preferred_dataset().optics);
-  if (auto made = hypothesis(std::move(entry), solver)) hypotheses_.push_back(std::move(*made));
+  if (auto made = hypothesis(std::move(*material), solver)) hypotheses_.push_back(std::move(*made));
 }
 
 Identified Identifier::identify(const AskedColour& asked, const Prior& prior) const {

@@ -80,7 +80,8 @@ class Identifier {
     Band band;
     std::optional<LinearRgb> f82;
   };
-  static std::optional<Hypothesis> hypothesis(CatalogueEntry entry, const F0Solver& solver);
+  // None of a material without a band.
+  static std::optional<Hypothesis> hypothesis(Material material, const F0Solver& solver);
   std::vector<Hypothesis> hypotheses_;
 };
 

@@ -36,6 +36,11 @@ LinearRgb in_srgb(const std::array<double, 3>& typed, const F0Options& options) 
 
 }  // namespace
 
+LinearRgb linear_of(const TypedColor& color) {
+  const auto* const linear = std::get_if<LinearRgb>(&color);
+  return linear ? *linear : srgb_decode(std::get<Srgb8>(color));
+}
+
 bool is_color(const std::string& text, Library& library) {
   if (text.starts_with('#') || text.find(',') != text.npos) return true;
   const bool hex = (text.size() == 3 || text.size() == 6) &&

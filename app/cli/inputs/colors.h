@@ -16,6 +16,9 @@ inline constexpr const char* color_forms =
 /// A colour that a person typed: 8-bit codes, or linear sRGB.
 using TypedColor = std::variant<LinearRgb, Srgb8>;
 
+/// The colour as linear sRGB.
+LinearRgb linear_of(const TypedColor& color);
+
 /// Whether the text is a hex colour or numbers, and no name.
 bool is_color(const std::string& text, Library& library);
 

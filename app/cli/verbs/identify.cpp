@@ -13,7 +13,6 @@
 #include "core/base/files/input.h"
 #include "core/base/parallel.h"
 #include "core/base/text/text.h"
-#include "core/color/srgb.h"
 #include "core/exchange/table.h"
 #include "core/material/names.h"
 #include "core/material/stack_text.h"
@@ -56,15 +55,11 @@ AskedColour asked_color(const std::string& typed, IdentifyArguments& arguments, 
     out.f0 = color_of(typed, "", arguments.library, arguments.compute, solver, arguments.output);
   } else {
     const TypedColor color = typed_color(typed, arguments.linear, solver.options());
-    const auto* linear = std::get_if<LinearRgb>(&color);
-    out.eight_bit = linear == nullptr;
-    out.f0 = linear ? *linear : srgb_decode(std::get<Srgb8>(color));
+    out.eight_bit = std::holds_alternative<Srgb8>(color);
+    out.f0 = linear_of(color);
   }
-  if (!arguments.f82.empty()) {
-    const TypedColor color = typed_color(arguments.f82, arguments.linear, solver.options());
-    const auto* linear = std::get_if<LinearRgb>(&color);
-    out.f82 = linear ? *linear : srgb_decode(std::get<Srgb8>(color));
-  }
+  if (!arguments.f82.empty())
+    out.f82 = linear_of(typed_color(arguments.f82, arguments.linear, solver.options()));
   check_asked(out, printable(typed));
   return out;
 }

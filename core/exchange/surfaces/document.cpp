@@ -47,13 +47,9 @@ constexpr std::array spaces{
     NamedSpace{"srgb_displayp3", RgbSpace::display_p3, srgb_decode},
     NamedSpace{"lin_rec2020", RgbSpace::rec2020, linear}};
 
-constexpr Xyz d65{0.95047, 1, 1.08883};
-// The white of ACEScg: x 0.32168, y 0.33767.
-constexpr Xyz aces{0.32168 / 0.33767, 1, (1 - 0.32168 - 0.33767) / 0.33767};
-
 Mat3 to_srgb(RgbSpace space) {
-  const Mat3 from = rgb_to_xyz(primaries(space), space == RgbSpace::acescg ? aces : d65);
-  return xyz_to_rgb(RgbSpace::srgb, space == RgbSpace::acescg ? aces : d65, d65) * from;
+  constexpr Xyz d65{0.95047, 1, 1.08883};
+  return xyz_to_rgb(RgbSpace::srgb, d65, d65) * inverse(xyz_to_rgb(space, d65, d65));
 }
 
 }  // namespace
