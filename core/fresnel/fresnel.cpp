@@ -38,6 +38,9 @@ double f_schlick(double f0_value, double c) {
 double f_f82_tint(double f0_value, double tint, double c) {
   return text::f_f82_tint(f0_value, tint, c);
 }
+double f_gulbrandsen(double r, double g, double c) {
+  return text::f_gulbrandsen(r, g, c);
+}
 double f0_under(double f0_value, double f82, double n) {
   return text::f0_under(f0_value, f82, n);
 }

@@ -9,13 +9,14 @@ namespace etak {
 /// term peaks.
 inline constexpr double f82_cosine = 1.0 / 7;
 
-/// The formulas of conductor.glsl, schlick.glsl, f82.glsl and under_coat.glsl in double: the reference.
+/// The formulas of conductor.glsl, schlick.glsl, f82.glsl, gulbrandsen.glsl and under_coat.glsl in double: the reference.
 namespace f64 {
 double f0(double n, double k);
 double absorptance0(double n, double k);
 double fresnel_exact(double n, double k, double c);
 double f_schlick(double f0_value, double c);
 double f_f82_tint(double f0_value, double tint, double c);
+double f_gulbrandsen(double r, double g, double c);
 double f0_under(double f0_value, double f82, double n);
 double f82_under(double f0_value, double f82, double n);
 double f82_mean(double f0_value, double f82);

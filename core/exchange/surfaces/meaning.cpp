@@ -2,7 +2,6 @@
 #include "core/exchange/surfaces/meaning.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/exchange/color_parts.h"
 #include "core/fresnel/fresnel.h"
@@ -62,14 +61,6 @@ void take_index(const LinearRgb& n, const LinearRgb& k, DocumentValues& out) {
   out.f82 = by_channel([&](std::size_t c) { return f64::fresnel_exact(a[c], b[c], f82_cosine); });
 }
 
-// F82 of the n and k that Gulbrandsen's reflectivity r and edge colour g stand for.
-double by_edge_color(double r, double g) {
-  const double root = std::sqrt(r);
-  const double n = g * (1 - r) / (1 + r) + (1 - g) * (1 + root) / (1 - root);
-  const double k2 = (r * (n + 1) * (n + 1) - (n - 1) * (n - 1)) / (1 - r);
-  return f64::fresnel_exact(n, std::sqrt(std::max(0.0, k2)), f82_cosine);
-}
-
 // The edge of a metal: by its tint, or by Gulbrandsen's edge colour.
 void take_edge(const Reader& reader, DocumentValues& out) {
   const auto tint = reader.stated(Meaning::tint), edge = reader.stated(Meaning::edge_color);
@@ -79,7 +70,7 @@ void take_edge(const Reader& reader, DocumentValues& out) {
   const auto f0 = vec(*out.f0);
   out.f82 = by_channel([&](std::size_t c) {
     if (tint != nullptr) return f64::f_schlick(f0[c], f82_cosine) * stated[c];
-    return by_edge_color(std::clamp(f0[c], 0.0, 0.999), std::clamp(stated[c], 0.0, 1.0));
+    return f64::f_gulbrandsen(std::clamp(f0[c], 0.0, 0.999), std::clamp(stated[c], 0.0, 1.0), f82_cosine);
   });
 }
 
