@@ -77,9 +77,9 @@ struct TargetJob {
   /// Schlick's curve from f0 to f90, in each channel.
   void shows_schlick(const LinearRgb& f0, double f90 = 1) const {
     shows([&](double cosine) {
-      Vec3 out = vec(f0);
-      for (double& channel : out) channel += (f90 - channel) * std::pow(1 - cosine, 5);
-      return out;
+      Vec3 f = vec(f0);
+      for (double& channel : f) channel += (f90 - channel) * std::pow(1 - cosine, 5);
+      return f;
     });
   }
   /// Fresnel's equations with an n and k of each channel.
