@@ -7,7 +7,7 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QImage>
-#include <QMessageBox>
+#include <QLineEdit>
 #include <QPainter>
 #include <QPixmap>
 #include <QPlainTextEdit>
@@ -28,6 +28,7 @@
 #include "app/editor/panels/layers_section.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/pack_dialog.h"
+#include "app/editor/panels/problem_strip.h"
 #include "app/editor/panels/texture_section.h"
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"
@@ -186,6 +187,7 @@ void show_state(Window& window, const QString& state) {
          window.use_library_material("anodised_titanium_50nm");
          window.inspector().ensureWidgetVisible(window.inspector().findChild<LayersSection*>());
        }},
+      {"near", [&] { window.library_panel().search().setText("car paint"); }},
       {"preview", [&] { emit window.library_panel().looked_at("copper"); }},
       {"findings", [&] { show_findings(window); }},
       {"pack",
@@ -214,9 +216,8 @@ QString bring_into_state(Window& window, const QString& material, const QString&
       window.open(material);
       settle(window);
       if (!well) {
-        const auto* told = window.findChild<QMessageBox*>();
-        return told != nullptr ? told->informativeText()
-                               : QObject::tr("%1 could not be opened").arg(material);
+        const QString told = window.problems().text().section('\n', 1);
+        return told.isEmpty() ? QObject::tr("%1 could not be opened").arg(material) : told;
       }
     } else if (!window.use_library_material(material)) {
       return QObject::tr("%1 is no file, and no material of the library").arg(material);

@@ -30,7 +30,9 @@
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/light_panel.h"
+#include "app/editor/panels/problem_strip.h"
 #include "app/editor/panels/project_panel.h"
+#include "app/editor/panels/source_section.h"
 #include "app/editor/panels/texture_section.h"
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"
@@ -88,6 +90,7 @@ Window::Window(const WindowOptions& options, QWidget* parent)
   resize(first_size(*screen()));
   restore();
   const auto titled = [this] { update_title(); };
+  connect(&document_, &Document::replaced, problems_, &ProblemStrip::clear);
   connect(&document_, &Document::saved_changed, this, titled);
   connect(&document_, &Document::replaced, this, titled);
   connect(&document_.undo_stack(), &QUndoStack::cleanChanged, this, titled);
@@ -118,7 +121,14 @@ void Window::make_panels() {
   tabs_->addTab(curves_, tr("Curves"));
   tabs_->addTab(shader_, tr("Shader"));
   tabs_->addTab(texture_view_, tr("Textures"));
-  auto* middle = new QSplitter(Qt::Vertical, this);
+  auto* centre = new QWidget(this);
+  centre->setAccessibleName(tr("Messages and viewport"));
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  problems_ = new ProblemStrip(centre);
+  column->addWidget(problems_);
+  auto* middle = new QSplitter(Qt::Vertical, centre);
+  column->addWidget(middle, 1);
   middle->setAccessibleName(tr("Viewport and tabs"));
   middle->setObjectName("middle");
   middle->addWidget(viewport_);
@@ -127,7 +137,7 @@ void Window::make_panels() {
   middle->setStretchFactor(1, 1);
   middle->setCollapsible(0, false);
   middle->setSizes({480, 190});
-  setCentralWidget(middle);
+  setCentralWidget(centre);
   make_docks();
   make_looks();
   connect_panels();
@@ -298,6 +308,8 @@ void Window::go_to_finding(const QString& material, const QString& rule) {
 }
 
 void Window::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) return problems_->clear();
+  if (event->key() == Qt::Key_Space) return viewport_->set_flipped(true);
   const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Down ? 1
                    : event->key() == Qt::Key_Left || event->key() == Qt::Key_Up  ? -1
                                                                                  : 0;
@@ -308,6 +320,11 @@ void Window::keyPressEvent(QKeyEvent* event) {
   if (step == 0 || count == 0 || !here) return QMainWindow::keyPressEvent(event);
   end_preview();
   document_.set_current((document_.current() + step + count) % count);
+}
+
+void Window::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Space) return QMainWindow::keyReleaseEvent(event);
+  if (!event->isAutoRepeat()) viewport_->set_flipped(false);
 }
 
 // Fields take the keys of undo for themselves. That is right only while they hold a typed text; otherwise the
@@ -331,6 +348,7 @@ void Window::restore() {
   restoreState(settings.value("window/state").toByteArray());
   auto* middle = findChild<QSplitter*>("middle");
   middle->restoreState(settings.value("window/middle").toByteArray());
+  inspector_->source().unfold(settings.value("window/record_unfolded", true).toBool());
 }
 
 void Window::remember() {
@@ -339,6 +357,7 @@ void Window::remember() {
   settings.setValue("window/geometry", saveGeometry());
   settings.setValue("window/state", saveState());
   settings.setValue("window/middle", findChild<QSplitter*>("middle")->saveState());
+  settings.setValue("window/record_unfolded", inspector_->source().is_unfolded());
 }
 
 void Window::closeEvent(QCloseEvent* event) {

@@ -33,6 +33,7 @@ class LibraryPanel;
 class LightPanel;
 class PackDialog;
 class PreviewBar;
+class ProblemStrip;
 class ProjectPanel;
 class TextureView;
 class ViewPanel;
@@ -70,6 +71,7 @@ class Window : public QMainWindow {
   Thumbnails& thumbnails() { return *thumbnails_; }
   Autosave& autosave() { return *autosave_; }
   Look& look() { return look_; }
+  ProblemStrip& problems() { return *problems_; }
   void look_changed();
 
   /// Adds a material of the library to the project and makes it the current one. Returns false where the
@@ -100,6 +102,7 @@ class Window : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
   bool eventFilter(QObject* object, QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -215,6 +218,7 @@ class Window : public QMainWindow {
   QTabWidget *tabs_ = nullptr, *inspector_tabs_ = nullptr;
   QLabel *backend_ = nullptr, *patch_ = nullptr, *work_ = nullptr, *pictures_ = nullptr;
   PreviewBar* preview_bar_ = nullptr;
+  ProblemStrip* problems_ = nullptr;
   QString previewed_;  // id of the library material in the preview
   QAction *undo_ = nullptr, *redo_ = nullptr, *end_preview_ = nullptr;
   QAction *look_action_ = nullptr, *measure_action_ = nullptr;

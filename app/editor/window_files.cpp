@@ -3,13 +3,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMessageBox>
 #include <QSettings>
 #include <cmath>
 
 #include "app/editor/document/files.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/pack_dialog.h"
+#include "app/editor/panels/problem_strip.h"
 #include "app/editor/window.h"
 #include "app/viewport/background.h"
 
@@ -222,14 +222,7 @@ void Window::fill_recent(QMenu* menu) {
 }
 
 void Window::show_problems(const QString& title, const QStringList& problems) {
-  constexpr int most_shown = 6;
-  QString text = QStringList(problems.mid(0, most_shown)).join('\n');
-  if (problems.size() > most_shown) text += tr("\nand %1 more").arg(problems.size() - most_shown);
-  auto* box =
-      new QMessageBox(QMessageBox::Warning, windowTitle().remove("[*]"), title, QMessageBox::Ok, this);
-  box->setInformativeText(text);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();
+  problems_->add(title, problems);
 }
 
 }  // namespace etak::editor

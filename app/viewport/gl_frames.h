@@ -12,7 +12,11 @@
 
 namespace etak {
 
+using GlSync = struct __GLsync*;
+
 /// A frame that is to be drawn.
+///   after   a fence of another context that shares textures with this one: the GPU draws when it is signalled. Null:
+///           at once. Who draws the frame deletes it
 struct GlJob {
   ViewState state;
   ViewDisplay display;
@@ -20,6 +24,7 @@ struct GlJob {
   double share = 1;  // of width and height that is drawn; the frame is then enlarged
   int band =
       0;  // of a refined state: which rows are drawn, so that a frame can be given up between two of them
+  GlSync after = nullptr;
   static constexpr int band_rows = 32;
   bool is_last_band() const { return (band + 1) * band_rows >= size.height(); }
 };

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "app/viewport/background.h"
+#include "app/viewport/gl_program.h"
 #include "core/base/error.h"
 
 namespace etak {
@@ -54,10 +55,16 @@ void GlThread::draw(const GlJob& job, std::function<void(const GlFrame&)> done) 
       [this, job, done = std::move(done)] {
         GlFrame frame;
         const QString failure = failure_of([&] {
-          if (context_->makeCurrent(&surface_))
-            frame = frames().draw(job);
-          else
+          if (!context_->makeCurrent(&surface_)) {
             frame.context_lost = true;
+            return;
+          }
+          if (job.after != nullptr) {
+            Gl& gl = current_gl();
+            gl.glWaitSync(job.after, 0, GL_TIMEOUT_IGNORED);
+            gl.glDeleteSync(job.after);
+          }
+          frame = frames().draw(job);
         });
         if (!failure.isEmpty()) frame.failed = failure;
         QMetaObject::invokeMethod(

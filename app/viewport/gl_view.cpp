@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <QOpenGLContext>
 #include <QScopeGuard>
+#include <utility>
 
 #include "app/viewport/gl_program.h"
 #include "app/viewport/gl_thread.h"
@@ -57,6 +58,7 @@ void GlView::drop() {
   makeCurrent();
   thread_.reset();
   frames_.reset();
+  forget_read();
   current_gl().glDeleteFramebuffers(1, &reader_);
   doneCurrent();
   frame_ = {};
@@ -106,7 +108,9 @@ void GlView::begin() {
   if (frames_ && wants_more()) update();  // without a thread, the frame is drawn in paintGL()
   if (!thread_ || !wants_more() || drawing_ || picture_size().isEmpty()) return;
   drawing_ = true;
-  thread_->draw(next_job(), [this](const GlFrame& frame) {
+  GlJob job = next_job();
+  job.after = std::exchange(read_, nullptr);
+  thread_->draw(job, [this](const GlFrame& frame) {
     drawing_ = false;
     take(frame);
     update();
@@ -168,8 +172,16 @@ void GlView::show_frame() {
   gl.glBlitFramebuffer(shown.x(), shown.y(), shown.x() + shown.width(), shown.y() + shown.height(), x, y,
                        x + shown.width(), y + shown.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
-  // The thread will draw into this texture again, which must be read before.
-  gl.glFinish();
+  if (!thread_) return;
+  // The thread will draw into this texture again, which must be read before. The GPU waits for that, not this thread.
+  forget_read();
+  read_ = gl.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.glFlush();
+}
+
+// A later fence of the same context is signalled after this one.
+void GlView::forget_read() {
+  if (read_ != nullptr) current_gl().glDeleteSync(std::exchange(read_, nullptr));
 }
 
 QImage GlView::picture(const ViewState& state, const ViewDisplay& display, const QSize& size) {

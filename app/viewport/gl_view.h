@@ -57,6 +57,7 @@ class GlView : public QOpenGLWidget {
   void take(const GlFrame& frame);
   void tell_loss();
   void show_frame();
+  void forget_read();
   void drop();
 
   ViewState state_;
@@ -68,6 +69,7 @@ class GlView : public QOpenGLWidget {
   bool refining_ = false;  // the frame in work is a band of a refined one
   int band_ = -1;          // of the refined frame, that is drawn next; -1: none
   unsigned reader_ = 0;
+  GlSync read_ = nullptr;  // signalled when the frame was read for the screen last
   QString gl_name_;
   bool hurry_ = false, threaded_, wanted_ = true, drawing_ = false, fresh_ = false, lost_ = false;
   FrameShare shares_;

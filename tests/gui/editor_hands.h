@@ -14,6 +14,7 @@
 #include "app/editor/document/files.h"
 #include "app/editor/panels/library_model.h"
 #include "app/editor/panels/library_panel.h"
+#include "app/editor/panels/problem_strip.h"
 #include "core/project/project.h"
 #include "tests/gui/editor_support.h"
 
@@ -132,13 +133,12 @@ inline QMessageBox* open_message(TestWindow& window, int most_ms = 10000) {
   return out;
 }
 
-/// The text of the window's message box, which is closed.
+/// The text of the window's strip of problems, which is closed; empty where none comes.
 inline QString shown_message(TestWindow& window, int most_ms = 5000) {
-  QString out;
-  if (QMessageBox* box = open_message(window, most_ms)) {
-    out = box->text() + QLatin1Char('\n') + box->informativeText();
-    box->close();
-  }
+  ProblemStrip& strip = window->problems();
+  (void)QTest::qWaitFor([&] { return !strip.text().isEmpty(); }, most_ms);
+  QString out = strip.text();
+  strip.clear();
   return out;
 }
 

@@ -204,7 +204,7 @@ class EditorExport : public QObject {
       for (QMenu* menu : window->findChildren<QMenu*>())
         if (menu->accessibleName() == QLatin1String(which)) menu->actions().front()->trigger();
       (void)QTest::qWaitFor([&] { return QFile::exists(file); }, 20000);
-      if (QMessageBox* box = open_message(window, 300)) box->close();
+      (void)shown_message(window, 300);
       return bytes_of(file).count("<open_pbr_surface");
     };
     QCOMPARE(exported("Export material"), 1);

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListView>
+#include <QSettings>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QToolButton>
@@ -17,6 +18,7 @@
 #include "app/editor/panels/preview_bar.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/panels/source_section.h"
+#include "app/editor/panels/view_panel.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 
@@ -403,8 +405,66 @@ class EditorHands : public QObject {
     }
   }
 
+  void messages_stand_in_one_strip_that_leaves_the_focus_and_esc_closes() {
+    TestWindow window(true);
+    show_active(window);
+    QListView& list = window->project_panel().list();
+    list.setFocus();
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    window->open(window.file(QStringLiteral("first.json")));
+    window->open(window.file(QStringLiteral("second.json")));
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 2; }, 20000));
+    const QString text = window->problems().text();
+    QVERIFY2(text.contains(QLatin1String("first.json")) && text.contains(QLatin1String("second.json")) &&
+                 text.count(QLatin1String("This could not be opened")) == 1,
+             qPrintable(text));
+    QVERIFY(window->problems().isVisible() && list.hasFocus() &&
+            QApplication::activeModalWidget() == nullptr);
+    QTest::keyClick(&list, Qt::Key_Escape);
+    QVERIFY(!window->problems().isVisible());
+  }
+
+  void what_is_folded_stays_folded_in_the_next_run() {
+    const QTemporaryDir folder;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+    QCoreApplication::setOrganizationName(QStringLiteral("etak-test"));
+    WindowOptions options;
+    options.cpu_viewport = true;
+    options.data_folder = options.cache_folder = folder.path();
+    for (const bool first : {true, false}) {
+      Window window(options);
+      QVERIFY(window.use_library_material(QStringLiteral("gold")));
+      window.show();
+      auto* fold = named<QToolButton>(window.inspector(),
+                                      QStringLiteral("Show or hide what is to be said of the measurement"));
+      QCOMPARE(fold->isChecked(), first);
+      if (first) QTest::keyClick(fold, Qt::Key_Space);
+      QVERIFY(!fold->isChecked());
+      window.document().mark_saved(folder.filePath(QStringLiteral("p.json")));
+      QVERIFY(window.close());
+    }
+    QSettings().clear();
+  }
+
+  void space_shows_side_b_where_no_field_takes_it() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    emit window->view_panel().pin_asked();
+    QVERIFY(window->use_library_material(QStringLiteral("chromium")));
+    show_active(window);
+    window->setFocus();
+    QTRY_VERIFY(!window->is_busy());
+    const QImage a = window->viewport().grab_picture();
+    QTest::keyPress(window.window.get(), Qt::Key_Space);
+    const QImage b = window->viewport().grab_picture();
+    QTest::keyRelease(window.window.get(), Qt::Key_Space);
+    QVERIFY(a != b);
+    QCOMPARE(window->viewport().grab_picture(), a);
+  }
+
   void a_preview_is_marked_read_and_ended() {
     TestWindow window(true);
+    window->resize(1280, 800);
     QVERIFY(window->use_library_material(QStringLiteral("pmma")));
     show_active(window);
     LibraryPanel& library = window->library_panel();
@@ -423,7 +483,12 @@ class EditorHands : public QObject {
     QVERIFY(window->look().preview);
     QVERIFY(bar->isVisible());
     const auto* text = named<QLabel>(*bar, QStringLiteral("What is looked at"));
-    QVERIFY(text->text().contains(QLatin1String("Gold: preview, not in the project")));
+    QVERIFY(text->text().contains(QLatin1String("Gold\nnot in the project")));
+    // It covers neither the ball nor the name in the middle.
+    const QRectF view = window->viewport().rect();
+    const QPointF apart = view.center() - QPointF(bar->geometry().bottomRight());
+    QVERIFY2(std::hypot(apart.x(), apart.y()) > std::min(view.width(), view.height()) / 2.2 && apart.x() > 90,
+             qPrintable(QStringLiteral("%1 %2").arg(apart.x()).arg(apart.y())));
     // The inspector shows the numbers and the citation of the previewed material, which cannot be edited.
     QCOMPARE(named<QLineEdit>(window->inspector(), QStringLiteral("Name of the material"))->text(),
              QStringLiteral("Gold"));

@@ -5,12 +5,15 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QTabWidget>
 
+#include "app/editor/curves/curves_panel.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/library_model.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/source_section.h"
-#include "tests/gui/editor_support.h"
+#include "core/material/embedded/unmeasured.h"
+#include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 
 using namespace etak;
@@ -18,13 +21,6 @@ using namespace etak::editor;
 
 class EditorLibrary : public QObject {
   Q_OBJECT
-
-  template <class Widget>
-  static const Widget* named(const Window& window, const QString& name) {
-    for (const auto* each : window.findChildren<Widget*>())
-      if (each->accessibleName() == name) return each;
-    return nullptr;
-  }
 
  private slots:
   void clear_bodies_and_totals_are_told_and_exported() {
@@ -75,21 +71,40 @@ class EditorLibrary : public QObject {
     QVERIFY(library.list().model()->rowCount() > 3 && library.list().model()->rowCount() < 40);
   }
 
-  void a_search_without_a_row_says_why() {
+  void a_search_without_a_row_says_why_and_lists_what_is_near() {
     TestWindow window(true);
+    show_active(window);
     LibraryPanel& library = window->library_panel();
-    const auto told = [&](const char* text) {
-      library.search().setText(QString::fromUtf8(text));
-      for (const auto* label : library.findChildren<QLabel*>())
-        if (label->accessibleName() == QLatin1String("Number of materials shown")) return label->text();
-      return QString();
+    const auto* answer = named<QLabel>(library, QStringLiteral("Why nothing is found"));
+    const auto* count = named<QLabel>(library, QStringLiteral("Number of materials shown"));
+    const auto search = [&](const char* text) {
+      library.search().setFocus();
+      library.search().selectAll();
+      QTest::keyClicks(&library.search(), QString::fromUtf8(text));
+      QStringList rows;
+      const QAbstractItemModel* model = library.list().model();
+      for (int row = 0; row < std::min(20, model->rowCount()); ++row)
+        rows << model->index(row, 0).data(LibraryModel::id_role).toString();
+      return rows;
     };
-    QVERIFY(told("milk").startsWith(QLatin1String("no open measurement known: ")));
-    QCOMPARE(library.list().model()->rowCount(), 0);
-    QVERIFY(told("glod").contains(QLatin1String("nearest names: gold")));
-    QVERIFY(told("qwertzuiop").startsWith(QLatin1String("0 of ")));
-    QVERIFY(told("spectralon").startsWith(QLatin1String("1 of ")));
-    QVERIFY(told("").endsWith(QLatin1String(" materials")));
+    const Unmeasured* paint = window->document().library()->unmeasured("car paint");
+    QVERIFY(paint != nullptr && !paint->nearest.empty());
+    QStringList near;
+    for (const std::string& each : paint->nearest) near << QString::fromStdString(each);
+    QCOMPARE(search("car paint"), near);
+    QVERIFY2(answer->isVisible() && answer->text().startsWith(QLatin1String("no open measurement known: ")),
+             qPrintable(answer->text()));
+    // The rows that are near are added by the keys that add any row.
+    QTest::keyClick(&library.search(), Qt::Key_Return);
+    QTest::keyClick(&library.list(), Qt::Key_Return);
+    QCOMPARE(window->document().material()->measured->material, paint->nearest.front());
+    QCOMPARE(search("glod").value(0), QStringLiteral("gold"));
+    QVERIFY(answer->isVisible());
+    QVERIFY(search("qwertzuiop").isEmpty() && count->text().startsWith(QLatin1String("0 of ")));
+    QCOMPARE(search("spectralon").size(), 1);
+    QVERIFY(!answer->isVisible());
+    library.search().clear();
+    QVERIFY(count->text().endsWith(QLatin1String(" materials")));
   }
 
   // The library's list and the inspector tell where the data of a material are doubtful.
@@ -116,6 +131,18 @@ class EditorLibrary : public QObject {
     QVERIFY(result != nullptr);
     QTRY_VERIFY(result->text().contains(QLatin1String("data computed; sparse; doubtful")));
     QVERIFY(result->text().contains(QLatin1String("doubtful: at 667 nm")));
+  }
+
+  void a_record_of_reflectance_alone_shows_that_in_place_of_n_and_k() {
+    TestWindow window(true);
+    window->show();
+    auto* tabs = named<QTabWidget>(window->curves(), QStringLiteral("Curves"));
+    tabs->setCurrentIndex(0);
+    QVERIFY(window->use_library_material(QStringLiteral("cardboard")));
+    QTRY_VERIFY(!tabs->isTabEnabled(0));
+    QVERIFY(tabs->currentIndex() != 0);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    QTRY_COMPARE(tabs->currentIndex(), 0);
   }
 
   void a_surface_has_no_zone_verdict() {

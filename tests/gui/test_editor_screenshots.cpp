@@ -45,7 +45,8 @@ QStringList cut_texts(const QWidget& window) {
     if (seen(button) && !button->text().isEmpty() && button->width() + 1 < button->minimumSizeHint().width())
       out << button->text();
   for (const QComboBox* box : window.findChildren<QComboBox*>()) {
-    if (!seen(box) || box->isEditable()) continue;
+    // As of a line, a text that the tool tip shows as well may be cut.
+    if (!seen(box) || box->isEditable() || box->toolTip() == box->currentText()) continue;
     QStyleOptionComboBox option;
     option.initFrom(box);
     option.rect = box->rect();

@@ -143,7 +143,8 @@ class UserSession : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file); }, patience));
     QVERIFY(QTest::qWaitFor([&] { return !window->is_busy(); }, patience));
     // What the format cannot hold is told in a message, which Esc closes.
-    for (QMessageBox* each : window->findChildren<QMessageBox*>()) QTest::keyClick(each, Qt::Key_Escape);
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    QVERIFY(window->problems().text().isEmpty());
   }
 
   void a_kill_comes_in_the_middle_of_the_work() {

@@ -9,6 +9,7 @@
 #include <QTabWidget>
 #include <QtMath>
 #include <cmath>
+#include <utility>
 
 #include "app/editor/curves/line_plot_widget.h"
 #include "app/editor/curves/polar_plot_widget.h"
@@ -259,6 +260,12 @@ void CurvesPanel::show_optics() {
         result_.refusal.empty() ? "no measured data: pick a material of the library" : result_.refusal;
     return plot;
   };
+  // A record of reflectance alone has no n and k: R is shown in their place.
+  const bool has_index = !result_.optics || !result_.optics->n.empty();
+  if (!has_index && tabs_->currentIndex() == 0) index_left_ = true;
+  tabs_->setTabEnabled(0, has_index);
+  tabs_->setTabToolTip(0, has_index ? QString() : tr("The record has no n and k, but R alone"));
+  if (has_index && std::exchange(index_left_, false)) tabs_->setCurrentIndex(0);
   index_->set_plot(result_.optics ? index_plot(shown_.name, *result_.optics) : nothing(": n and k"), " nm");
   const std::vector<ColorCurve> all = several([](const Request&, const Result& result) {
     ColorCurve out;

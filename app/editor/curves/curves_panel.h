@@ -114,6 +114,7 @@ class CurvesPanel : public QWidget {
   std::vector<std::pair<std::string, double>> form_ns_;  // measured once, because materials do not change it
   double exact_ns_ = 0;
   bool waiting_ = false, running_ = false, has_shown_ = false;
+  bool index_left_ = false;  // n and k were looked at before a record came that has none
   Worker pool_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <QCryptographicHash>
 #include <QDir>
+#include <QPainter>
 
 #include "app/editor/document/files.h"
 #include "app/viewport/background.h"
@@ -15,7 +16,7 @@ namespace etak::editor {
 namespace {
 
 // Part of the names of the files. It changes when the pictures change, so that older files are not used.
-constexpr const char* make = "etak-thumbnail-4";
+constexpr const char* make = "etak-thumbnail-5";
 constexpr int most_pictures = 4000;
 
 QImage drawn(const SurfaceValues& surface, Shape shape, int side) {
@@ -32,7 +33,17 @@ QImage drawn(const SurfaceValues& surface, Shape shape, int side) {
   scene.diffuse_values = model_values(*scene.diffuse, surface, {});
   Image8 codes;
   render_cpu_codes(scene, environment.get(), 1, codes);
-  return qt_image(codes);
+  const QImage whole = qt_image(codes);
+  if (shape != Shape::sphere) return whole;
+  // The ball alone, which lies on the list in its own colour.
+  QImage out(whole.size(), QImage::Format_ARGB32_Premultiplied);
+  out.fill(Qt::transparent);
+  QPainter painter(&out);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QBrush(whole));
+  painter.drawEllipse(QPointF(side / 2.0, side / 2.0), side / 2.2, side / 2.2);
+  return out;
 }
 
 QImage thumbnail(const Thumbnails::Subject& subject, Shape shape, int side, const QString& folder) {

@@ -138,7 +138,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       if (!picture.isNull()) return untinted_icon(row.marked ? with_dot(picture) : picture);
       QPixmap empty(static_cast<int>(side_ * ratio_), static_cast<int>(side_ * ratio_));
       empty.setDevicePixelRatio(ratio_);
-      empty.fill(QColor(63, 63, 63));
+      empty.fill(Qt::transparent);
       return empty;
     }
     default:
@@ -175,12 +175,14 @@ LibraryFilter::LibraryFilter(QObject* parent) : QSortFilterProxyModel(parent) {
   sort(0);
 }
 
-void LibraryFilter::set_search(const QString& text) {
+void LibraryFilter::set_search(const QString& text, const QStringList& near) {
   words_ = search_key(text).split(' ', Qt::SkipEmptyParts);
+  near_ = near;
   invalidate();  // the order of the rows depends on the search as well
 }
 
 int LibraryFilter::rank(const QModelIndex& row) const {
+  if (!near_.isEmpty()) return static_cast<int>(near_.indexOf(row.data(LibraryModel::id_role).toString()));
   const QString wanted = words_.join(' ');
   const QStringList names = row.data(LibraryModel::names_role).toStringList();
   if (wanted.isEmpty() || names.contains(wanted)) return 0;
@@ -201,6 +203,7 @@ void LibraryFilter::set_class(const QString& material_class) {
 
 bool LibraryFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
   const QModelIndex at = sourceModel()->index(row, 0, parent);
+  if (!near_.isEmpty()) return near_.contains(at.data(LibraryModel::id_role).toString());
   if (!class_.isEmpty() && at.data(LibraryModel::class_role).toString() != class_) return false;
   const QString keys = at.data(LibraryModel::keys_role).toString();
   return std::all_of(words_.begin(), words_.end(), [&](const QString& word) { return keys.contains(word); });

@@ -56,7 +56,8 @@ class LibraryFilter : public QSortFilterProxyModel {
 
  public:
   explicit LibraryFilter(QObject* parent = nullptr);
-  void set_search(const QString& text);
+  ///   near   ids of materials, nearest first, that are shown in place of what matches; none: what matches is
+  void set_search(const QString& text, const QStringList& near = {});
   void set_class(const QString& material_class);  // empty: all
 
  protected:
@@ -66,7 +67,7 @@ class LibraryFilter : public QSortFilterProxyModel {
  private:
   int rank(const QModelIndex& row) const;  // 0 is the best match
 
-  QStringList words_;
+  QStringList words_, near_;
   QString class_;
 };
 

@@ -9,6 +9,8 @@
 #include "app/editor/fields/add_button.h"
 #include "app/editor/fields/flow_layout.h"
 #include "app/editor/panels/sections.h"
+#include "app/viewport/qt_text.h"
+#include "core/material/embedded/unmeasured.h"
 
 namespace etak::editor {
 namespace {
@@ -47,6 +49,7 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
       chips_(new QWidget(this)),
       chip_row_(new FlowLayout(3, chips_)),
       chip_group_(new QButtonGroup(this)),
+      answer_(quiet_label(tr("Why nothing is found"), this)),
       count_(new QLabel(this)) {
   setAccessibleName(tr("Library"));
   auto* column = panel_column(this, 4);
@@ -70,6 +73,8 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
   list_->setDragEnabled(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   list_->setAccessibleName(tr("Materials of the library"));
+  answer_->hide();
+  column->addWidget(answer_);
   column->addWidget(list_, 1);
 
   auto* foot = new QHBoxLayout;
@@ -95,7 +100,7 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
 
 void LibraryPanel::connect_list() {
   connect(search_, &QLineEdit::textChanged, this,
-          [this](const QString& text) { narrow([&] { filter_.set_search(text); }); });
+          [this](const QString& text) { narrow([&] { search_for(text); }); });
   connect(search_, &QLineEdit::returnPressed, this, [this] {
     if (filter_.rowCount() == 0) return;
     // Return selects the best match, whichever row was selected before.
@@ -171,18 +176,27 @@ void LibraryPanel::make_chips() {
   }
 }
 
+// Where nothing matches, the library tells why it has no such material, and what is near stands in the list.
+void LibraryPanel::search_for(const QString& text) {
+  filter_.set_search(text);
+  answer_->clear();
+  const std::string word = text.trimmed().toStdString();
+  if (filter_.rowCount() == 0 && library_ && !word.empty()) {
+    QStringList near;
+    if (const Unmeasured* thing = library_->unmeasured(word)) {
+      for (const std::string& id : thing->nearest) near << qt_text(id);
+      answer_->setText(qt_text(library_->missing(word).found) + (near.isEmpty() ? "" : tr(". Near to it:")));
+    } else {
+      for (const auto& each : library_->suggest(word)) near << qt_text(each.id);
+      if (!near.isEmpty()) answer_->setText(tr("No material of this name. Near to it:"));
+    }
+    if (!near.isEmpty()) filter_.set_search(text, near);
+  }
+  answer_->setVisible(!answer_->text().isEmpty());
+}
+
 void LibraryPanel::tell_count() {
   const int shown = filter_.rowCount(), all = model_.rowCount();
-  // Where nothing matches the search, the library tells why it has no such material, or names similar ones.
-  if (shown == 0 && library_ && !search_->text().trimmed().isEmpty()) {
-    const auto missing = library_->missing(search_->text().trimmed().toStdString());
-    const std::string answer =
-        missing.found + (missing.found.empty() || missing.expected.empty() ? "" : "; ") + missing.expected;
-    if (!answer.empty()) {
-      count_->setText(QString::fromStdString(answer));
-      return;
-    }
-  }
   count_->setText(shown == all ? tr("%1 materials").arg(all) : tr("%1 of %2").arg(shown).arg(all));
 }
 

@@ -38,6 +38,7 @@ class LibraryPanel : public QWidget {
  private:
   void connect_list();
   void make_chips();
+  void search_for(const QString& text);
   void tell_count();
   void narrow(const std::function<void()>& change);
 
@@ -49,7 +50,7 @@ class LibraryPanel : public QWidget {
   QWidget* chips_;
   FlowLayout* chip_row_;
   QButtonGroup* chip_group_;
-  QLabel* count_;
+  QLabel *answer_, *count_;
   bool narrowing_ = false;
 };
 

@@ -25,7 +25,7 @@ PreviewBar::PreviewBar(QWidget* picture) : QFrame(picture), text_(new QLabel(thi
 }
 
 void PreviewBar::show_name(const QString& name) {
-  text_->setText(tr("%1: preview, not in the project").arg(name));
+  name_ = name;
   place();
   show();
   raise();
@@ -37,10 +37,12 @@ bool PreviewBar::eventFilter(QObject* object, QEvent* event) {
 }
 
 void PreviewBar::place() {
+  // In the corner, where the bar covers neither the object nor the name that the picture shows at its top.
+  const int most = std::max(12 * fontMetrics().averageCharWidth(), parentWidget()->width() / 4);
+  text_->setText(fontMetrics().elidedText(name_, Qt::ElideRight, most) + '\n' + tr("not in the project"));
+  text_->setToolTip(name_);
   adjustSize();
-  // The bar lies below the name that the picture shows at its top.
-  const int top = 2 * fontMetrics().height();
-  move(std::max(0, (parentWidget()->width() - width()) / 2), top);
+  move(6, 6);
 }
 
 }  // namespace etak::editor

@@ -13,7 +13,7 @@ class PreviewBar : public QFrame {
   Q_OBJECT
 
  public:
-  ///   picture   the widget that the bar lies on, in the middle of its upper part
+  ///   picture   the widget that the bar lies on, in its upper left corner
   explicit PreviewBar(QWidget* picture);
   void show_name(const QString& name);
 
@@ -27,6 +27,7 @@ class PreviewBar : public QFrame {
  private:
   void place();
   QLabel* text_;
+  QString name_;
 };
 
 }  // namespace etak::editor

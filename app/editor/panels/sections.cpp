@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QLayout>
 #include <QScrollBar>
+#include <QStylePainter>
 #include <QTimer>
 
 namespace etak::editor {
@@ -28,6 +29,17 @@ void QuietComboBox::wheelEvent(QWheelEvent* event) {
     QComboBox::wheelEvent(event);
   else
     event->ignore();
+}
+
+void QuietComboBox::paintEvent(QPaintEvent*) {
+  QStylePainter painter(this);
+  QStyleOptionComboBox option;
+  initStyleOption(&option);
+  const QRect field =
+      style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
+  option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, field.width());
+  painter.drawComplexControl(QStyle::CC_ComboBox, option);
+  painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
 Section::Section(const QString& title, QWidget* parent)

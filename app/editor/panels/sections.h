@@ -11,7 +11,8 @@
 
 namespace etak::editor {
 
-/// A combo box that leaves the wheel to the page around it, unless it has the focus.
+/// A combo box that leaves the wheel to the page around it, unless it has the focus. A text that is longer than the
+/// box ends in three dots.
 class QuietComboBox : public QComboBox {
   Q_OBJECT
 
@@ -22,6 +23,7 @@ class QuietComboBox : public QComboBox {
 
  protected:
   void wheelEvent(QWheelEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 };
 
 /// A part of a panel with a title, and rows that have a name and a field.

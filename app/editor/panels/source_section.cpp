@@ -103,15 +103,17 @@ void SourceSection::make_rows() {
     for (QWidget* each : fields) line->addWidget(each, 1);
     return line;
   };
-  QHBoxLayout* use = beside(tr("Record"), {material_});
+  QHBoxLayout* use = beside(tr("Record and dataset"), {material_, dataset_});
   unfold_ = add_button(*use, tr("i"), tr("Show or hide what is to be said of the measurement"));
   unfold_->setCheckable(true);
   unfold_->setChecked(true);
   connect(unfold_, &QToolButton::toggled, this, &SourceSection::show_rows);
   const QString tip = tr("The record whose spectra give the colours; empty: the colours are typed numbers");
   material_->setToolTip(tip);
+  dataset_->setToolTip(tr("Which measurement of the record is used"));
+  connect(dataset_, &QComboBox::currentTextChanged, dataset_,
+          [this](const QString& text) { dataset_->setToolTip(text); });
   add(tr("Use"), use->parentWidget(), tip);
-  add(tr("Dataset"), dataset_, tr("Which measurement of the record is used"));
   add(spread_);
   add(tr("Outside"), outside_, tr("A transparent material of the library, or an index such as 1.33"));
   illuminant_->setToolTip(tr("The light under which the spectrum becomes a colour"));
@@ -138,7 +140,7 @@ void SourceSection::fill_datasets(const std::string& material) {
   dataset_->clear();
   const auto found = material.empty() ? std::nullopt : record_named(*document_.library(), material);
   if (!found) return;
-  dataset_->addItem(tr("preferred: %1").arg(qt_text(found->preferred_dataset().id)), QString());
+  dataset_->addItem(tr("%1, preferred").arg(qt_text(found->preferred_dataset().id)), QString());
   for (const Dataset& each : found->datasets) {
     const std::string quality = quality_text(each.origin, quality_flags(*found, each));
     dataset_->addItem(tr("%1 (%2)").arg(qt_text(each.id), qt_text(quality)), qt_text(each.id));
@@ -168,12 +170,19 @@ void SourceSection::show_material(const ProjectMaterial* m, bool editable) {
   if (on) tell(*m);
 }
 
+void SourceSection::unfold(bool on) {
+  unfold_->setChecked(on);
+}
+
+bool SourceSection::is_unfolded() const {
+  return unfold_->isChecked();
+}
+
 // Rows without a measurement to tell of are not there.
 void SourceSection::show_rows() {
   const bool on = shown_.has_value() && unfold_->isChecked();
   unfold_->setEnabled(shown_.has_value());
-  for (QWidget* each :
-       std::initializer_list<QWidget*>{dataset_, spread_, outside_, viewing_, result_, citation_})
+  for (QWidget* each : std::initializer_list<QWidget*>{spread_, outside_, viewing_, result_, citation_})
     rows().setRowVisible(each, on);
   rows().setRowVisible(body_, on && (!body_->text().isEmpty() || body_->minimumHeight() > 0));
 }

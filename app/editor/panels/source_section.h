@@ -12,8 +12,8 @@ namespace etak::editor {
 /// The message that `m`, which has a measurement, is no longer measured.
 QString let_go_text(const ProjectMaterial& m);
 
-/// The section "Measured F0": the record in one line, and behind its button (i) the dataset, the spread of all
-/// datasets, outside medium, illuminant, observer and what is to be said of the data.
+/// The section "Measured F0": record and dataset in one line, and behind its button (i) the spread of all datasets,
+/// outside medium, illuminant, observer and what is to be said of the data.
 class SourceSection : public Section {
   Q_OBJECT
 
@@ -24,6 +24,8 @@ class SourceSection : public Section {
   ///   editable   false: the fields cannot be edited, as for a preview
   void show_material(const ProjectMaterial* material, bool editable);
   void set_library();
+  void unfold(bool on);
+  bool is_unfolded() const;
   QWidget& first_field() { return *dataset_; }
 
  signals:

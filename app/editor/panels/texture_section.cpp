@@ -61,7 +61,7 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
       const QString file = QFileDialog::getOpenFileName(
           this, tr("%1 texture").arg(title), now.isEmpty() ? document_.folder() : now,
           tr("Pictures (%1);;All files (*)").arg(picture_patterns()));
-      if (!file.isEmpty()) set(channel, file);
+      if (!file.isEmpty()) emit dropped(channel, file);
     });
     connect(row.clear, &QToolButton::clicked, this, [this, channel] { set(channel, {}); });
     connect(row.look, &QToolButton::clicked, this, [this, channel] { emit look_asked(channel); });
