@@ -132,6 +132,7 @@ DocumentValues values_of(const DocumentSurface& surface) {
   if (reader.stated(Meaning::diffuse) != nullptr) out.diffuse = reader.color(Meaning::diffuse, 0);
   if (reader.stated(Meaning::base_color) != nullptr) out.base_color = reader.color(Meaning::base_color, 1);
   out.ior = reader.number(Meaning::ior, 1.5);
+  out.transmission = reader.number(Meaning::transmission, 0);
   const SurfaceInput *n = reader.stated(Meaning::n), *k = reader.stated(Meaning::k);
   const SurfaceInput* f0 = reader.stated(Meaning::f0);
   const bool f0_counts =

@@ -23,11 +23,12 @@ enum class SurfaceSort { metal, dielectric, between, either };
 ///   film_nm     thickness of a stated film
 ///   base_color, diffuse   as stated; none: not known
 ///   roughness   perceptual
+///   transmission   share of the body that is clear; none: a picture or a node gives it
 struct DocumentValues {
   SurfaceSort sort = SurfaceSort::either;
   std::optional<double> metalness;
   std::optional<LinearRgb> f0, f82, base_color, diffuse;
-  std::optional<double> ior, film_nm, roughness;
+  std::optional<double> ior, film_nm, roughness, transmission;
   const SurfaceInput *f0_from = nullptr, *edge_from = nullptr, *metal_from = nullptr, *film_from = nullptr;
 };
 

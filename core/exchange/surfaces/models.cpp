@@ -132,7 +132,7 @@ constexpr InputGroup groups[] = {
     {"values", InputType::color, 0, 1,
      "Base Color|baseColor|Albedo|albedo_color|color|Diffuse Albedo|diffuse|F90|Specular|"
      "Specular Color|Specular Tint|Edge Tint|Coat Tint|specularColor|attenuationColor|reflectivity|"
-     "edge_color|f82|F0|f0"},
+     "edge_color|f82|F0|f0|kd|ks|kt"},
     {"values", InputType::color, 0, unbounded,
      "emission|Emissive Color|Emission|Emission Color|emissive|absorption|n|k|residual|IOR|"
      "Extinction"},
@@ -140,9 +140,9 @@ constexpr InputGroup groups[] = {
      "Metallic|metallic|metalness|Roughness|roughness|Smoothness|gloss|alpha|Alpha|opacity|"
      "Opacity|Coverage Weight|albedo_color alpha|reflectance|metallic_specular|IOR Level|"
      "Transmission Weight|transmission|Coat Weight|Coat Roughness|clearCoat|clearCoatRoughness|"
-     "clearcoat|clearcoatRoughness|iridescence|Specular Level"},
+     "clearcoat|clearcoatRoughness|iridescence|Specular Level|uroughness|vroughness|transparency"},
     {"values", InputType::number, 1, unbounded,
-     "Refraction (Index of Refraction)|Index Of Refraction|ior|iridescenceIOR|Coat IOR"},
+     "Refraction (Index of Refraction)|Index Of Refraction|ior|interiorior|iridescenceIOR|Coat IOR"},
     {"values", InputType::number, 0, unbounded,
      "Emission intensity|Emission Intensity|Emission Strength|emission_energy_multiplier|"
      "emissiveIntensity|attenuationDistance|dispersion|iridescenceThicknessRange|eta at 550 nm|"
@@ -213,17 +213,25 @@ constexpr InputMeaning meanings[] = {
     {"values", "f0", Meaning::f0, 0},
     {"values", "Specular", Meaning::f0, 0},
     {"values", "Specular Color", Meaning::f0, 0},
+    {"values", "ks", Meaning::f0, 0},
     {"values", "f82", Meaning::f82, 0},
     {"values", "n", Meaning::n, 0},
     {"values", "k", Meaning::k, 0},
     {"values", "ior", Meaning::ior, 1.5},
     {"values", "Index Of Refraction", Meaning::ior, 1.5},
+    {"values", "interiorior", Meaning::ior, 1.5},
     {"values", "diffuse", Meaning::diffuse, 0},
     {"values", "Diffuse Albedo", Meaning::diffuse, 0},
     {"values", "roughness", Meaning::roughness, 0},
     {"values", "Roughness", Meaning::roughness, 0},
     {"values", "iridescence", Meaning::film_weight, 0},
     {"values", "iridescenceThicknessRange", Meaning::film_nm, 0},
+    {"open_pbr_surface", "transmission_weight", Meaning::transmission, 0},
+    {"standard_surface", "transmission", Meaning::transmission, 0},
+    {"gltf_pbr", "transmission", Meaning::transmission, 0},
+    {"gltf", "KHR_materials_transmission.transmissionFactor", Meaning::transmission, 0},
+    {"values", "Transmission Weight", Meaning::transmission, 0},
+    {"values", "transmission", Meaning::transmission, 0},
     {"open_pbr_surface", "specular_roughness", Meaning::roughness, 0.3},
     {"standard_surface", "specular_roughness", Meaning::roughness, 0.2},
     {"gltf_pbr", "roughness", Meaning::roughness, 1},

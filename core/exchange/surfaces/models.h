@@ -36,7 +36,8 @@ enum class Meaning {
   film_um,
   film_nm,
   roughness,
-  diffuse
+  diffuse,
+  transmission
 };
 
 /// An input of a model, with the least and the most number that the model's definition allows, and its default.

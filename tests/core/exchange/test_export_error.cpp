@@ -195,7 +195,7 @@ TEST_CASE("documents hold every material once, under names of their own") {
   std::vector<ExportSurface> surfaces{exported_surface("gold"), exported_surface("gold"),
                                       exported_surface("glass_bk7"), exported_surface("chalk")};
   for (const char* const id :
-       {"standard-surface", "gltf-pbr", "usd", "pbrt", "mitsuba", "blender-metallic"}) {
+       {"standard-surface", "gltf-pbr", "usd", "pbrt", "mitsuba", "luxcore", "blender-metallic"}) {
     const EngineTarget* const target = engine_target(id);
     const std::string text =
         export_text(exported_values(surfaces, {"a", "b", "c", "d"}, {target}, Fit::clamp, 1));
