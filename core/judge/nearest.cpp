@@ -8,6 +8,7 @@
 #include "core/base/hash/content_hash.h"
 #include "core/color/delta_e.h"
 #include "core/judge/pixels/code_tables.h"
+#include "core/material/appearance.h"
 #include "core/material/f0.h"
 #include "core/material/json.h"
 #include "core/material/quality.h"
@@ -24,6 +25,21 @@ std::string hash_of(const MaterialLibrary& library) {
   return hash.hex();
 }
 
+KnownF0 known_f0(const Material& material, const Dataset& dataset, const F0Result& f0) {
+  return {material.id,
+          material.name,
+          dataset.id,
+          &dataset == &material.datasets[material.preferred],
+          optical_kind(material.material_class) == "conductor",
+          material.common,
+          material.material_class == "gem",
+          optical_kind(material.material_class) != "dielectric",
+          std::holds_alternative<Stack>(dataset.optics),
+          {f0.srgb_linear.r, f0.srgb_linear.g, f0.srgb_linear.b},
+          f0.f82,
+          f0.luminance};
+}
+
 std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
   const F0Solver solver{F0Options{}};
   std::vector<KnownF0> known;
@@ -35,18 +51,7 @@ std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
       const F0Result f0 = solve(solver, material, dataset);
       // A doubtful dataset excuses no texture, unless it is the preferred one, because there is none better.
       if (f0.refused() || (f0.flags.has(Flag::doubtful) && d != material.preferred)) continue;
-      known.push_back({material.id,
-                       material.name,
-                       dataset.id,
-                       d == material.preferred,
-                       optical_kind(material.material_class) == "conductor",
-                       material.common,
-                       material.material_class == "gem",
-                       optical_kind(material.material_class) != "dielectric",
-                       std::holds_alternative<Stack>(dataset.optics),
-                       {f0.srgb_linear.r, f0.srgb_linear.g, f0.srgb_linear.b},
-                       f0.f82,
-                       f0.luminance});
+      known.push_back(known_f0(material, dataset, f0));
     }
   }
   return known;
@@ -95,6 +100,21 @@ std::vector<const KnownF0*> KnownMaterials::f0_of(std::string_view material) con
   for (const KnownF0& entry : f0())
     if (entry.id == match->id) found.push_back(&entry);
   return found;
+}
+
+std::optional<KnownF0> KnownMaterials::total_of(std::string_view material) const {
+  const auto match = material.empty() ? std::nullopt : library_.find(material);
+  if (!match || gives_f0(match->material_class)) return std::nullopt;
+  const Dataset& dataset = match->datasets[match->preferred];
+  const F0Result total = solve(F0Solver{F0Options{}}, *match, dataset);
+  if (total.refused()) return std::nullopt;
+  const TotalReflectance parts = divided(total.srgb_linear);
+  KnownF0 out = known_f0(*match, dataset, total);
+  // Pictures and factors hold no body below 0.
+  const auto seen = [](double surface, double body) { return surface + std::max(body, 0.0); };
+  out.linear = {seen(parts.f0.r, parts.diffuse.r), seen(parts.f0.g, parts.diffuse.g),
+                seen(parts.f0.b, parts.diffuse.b)};
+  return out;
 }
 
 const KnownMaterials& known_materials(const Settings& settings) {

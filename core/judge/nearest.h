@@ -48,6 +48,10 @@ class KnownMaterials {
   /// The entries of one material, by id, alias or name; empty: not in the library.
   std::vector<const KnownF0*> f0_of(std::string_view material) const;
 
+  /// What the preferred dataset of a material without a specular F0 gives: the total reflectance of paper, as divided()
+  /// makes a surface and a body of it.
+  std::optional<KnownF0> total_of(std::string_view material) const;
+
   /// Whether the library has a material of that id, alias or name; those without a specular F0, such as paper, too.
   bool has(std::string_view material) const {
     return !material.empty() && library_.find(material).has_value();

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/exchange/color_parts.h"
 #include "core/exchange/surfaces/meaning.h"
 #include "core/image/picture_endings.h"
 #include "core/scene/gltf_surfaces.h"
@@ -35,8 +36,9 @@ ProjectMaterial project_material_of(const DocumentSurface& surface, std::vector<
   out.alpha_mode = AlphaMode::opaque;
   const bool metal = values.sort == SurfaceSort::metal;
   if (values.f0) out.specular = *values.f0;
-  const LinearRgb body =
-      values.diffuse ? *values.diffuse : values.base_color.value_or(LinearRgb{0.18, 0.18, 0.18});
+  const double opaque = 1 - std::clamp(values.transmission.value_or(0), 0.0, 1.0);
+  const LinearRgb body = scaled(
+      values.diffuse ? *values.diffuse : values.base_color.value_or(LinearRgb{0.18, 0.18, 0.18}), opaque);
   if (!metal && (values.diffuse || values.sort == SurfaceSort::dielectric))
     out.diffuse =
         within_one(rgb(converted({vec(within_one(body)), vec(within_one(out.specular))},

@@ -10,8 +10,10 @@
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/parallel.h"
+#include "core/base/text/free_names.h"
 #include "core/material/json.h"
 #include "core/material/optics_class.h"
+#include "core/project/project_import.h"
 
 namespace etak::cli {
 namespace {
@@ -78,18 +80,44 @@ int import_inputs(ImportArguments& arguments) {
   return exit_ok;
 }
 
+// The materials of documents have colours and no spectra, so that they become a project.
+int import_documents(const ImportArguments& arguments) {
+  Project project;
+  std::vector<std::string> remarks;
+  FreeNames taken = names_of(project);
+  for (const std::string& path : arguments.inputs.names) {
+    if (!holds_surfaces(path))
+      throw Error::at(path, "a file of another kind beside a material document",
+                      "material documents (.mtlx, .usda, .gltf, .glb) alone, or none");
+    for (ProjectMaterial& material : imported_materials(path, remarks)) {
+      material.name = free_name(taken, material.name);
+      project.materials.push_back(std::move(material));
+    }
+  }
+  if (!arguments.id.empty()) throw Error::at("--id", "material documents", "pages or tables with it");
+  if (!arguments.name.empty()) {
+    if (project.materials.size() > 1)
+      throw Error::at("--name", std::to_string(project.materials.size()) + " materials", "one");
+    project.materials[0].name = arguments.name;
+  }
+  write_output(arguments.output, format_project(project, arguments.output.file));
+  for (const std::string& each : remarks) remark(arguments.output, each);
+  return exit_ok;
+}
+
 int run(ImportArguments& arguments) {
   const auto& names = arguments.inputs.names;
+  const bool documents = std::ranges::any_of(names, holds_surfaces);
   return with_memory_for(
       names.size() == 1 ? names[0] : "etak import", [] { return "the material made of it"; },
-      [&] { return import_inputs(arguments); });
+      [&] { return documents ? import_documents(arguments) : import_inputs(arguments); });
 }
 
 }  // namespace
 
 void add_import(CommandLine& line) {
   const auto arguments = std::make_shared<ImportArguments>();
-  Command verb = line.verb("import", "pages or tables as one material file");
+  Command verb = line.verb("import", "pages or tables as one material file, material documents as a project");
   add_input_options(verb, arguments->inputs);
   verb.option("--id", arguments->id, "id of the material, [a-z0-9_] (default: from the page's folder)");
   verb.option("--name", arguments->name, "name of the material");
@@ -99,6 +127,7 @@ void add_import(CommandLine& line) {
   verb.footer(
       "Several inputs become datasets of one material; the first is preferred. Citation, sample and class are\n"
       "taken from a page as far as it tells them: read them over before the file joins a library.\n"
+      "Materials of .mtlx, .usda, .gltf and .glb files become a project for etak-editor and etak pack.\n"
       "Example:\n  printf 'nm n k\\n400 1.5 3\\n700 1.6 4\\n' | etak import - --id sample --class metal");
   verb.runs([arguments] { return run(*arguments); });
 }

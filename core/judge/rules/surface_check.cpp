@@ -9,12 +9,25 @@
 #include "core/base/text/ascii.h"
 #include "core/base/text/text.h"
 #include "core/color/srgb.h"
+#include "core/exchange/color_parts.h"
 
 namespace etak {
 namespace {
 
+constexpr double near_measured = 3;  // dE2000
+
 std::array<double, 3> array_of(const LinearRgb& c) {
   return {c.r, c.g, c.b};
+}
+
+// A name without what programs put around it.
+std::string bare_name(std::string_view name) {
+  std::string text = lower_case(name);
+  for (const std::string_view before : {"m_", "mat_", "mi_"})
+    if (text.starts_with(before)) text.erase(0, before.size());
+  for (const std::string_view behind : {"_surface", "_material", "_mat"})
+    if (text.ends_with(behind)) text.resize(text.size() - behind.size());
+  return text;
 }
 
 }  // namespace
@@ -33,11 +46,7 @@ Measured nearest_measured(const KnownMaterials& known, const LinearRgb& f0, Surf
 
 std::optional<std::vector<const KnownF0*>> named_material(const KnownMaterials& known,
                                                           std::string_view name) {
-  std::string text = lower_case(name);
-  for (const std::string_view before : {"m_", "mat_", "mi_"})
-    if (text.starts_with(before)) text.erase(0, before.size());
-  for (const std::string_view behind : {"_surface", "_material", "_mat"})
-    if (text.ends_with(behind)) text.resize(text.size() - behind.size());
+  const std::string text = bare_name(name);
   if (!known.has(text)) return std::nullopt;
   return known.f0_of(text);
 }
@@ -51,12 +60,29 @@ double distance_of(const LinearRgb& f0, const KnownF0& entry) {
 }
 
 bool is_what_it_is_called(const KnownMaterials& known, const DocumentSurface& surface, const LinearRgb& f0) {
-  constexpr double near = 3;
   const auto entries = named_material(known, surface.name);
   if (!entries) return false;
   return entries->empty() || std::ranges::any_of(*entries, [&](const KnownF0* entry) {
-           return entry->layers || distance_of(f0, *entry) <= near;
+           return entry->layers || distance_of(f0, *entry) <= near_measured;
          });
+}
+
+bool is_as_measured(const KnownMaterials& known, const DocumentSurface& surface) {
+  const DocumentValues values = values_of(surface);
+  const auto entries = named_material(known, surface.name);
+  if (!values.f0)
+    return entries && values.film_nm &&
+           std::ranges::any_of(*entries, [](auto* each) { return each->layers; });
+  if (!is_what_it_is_called(known, surface, *values.f0)) return false;
+  if (values.sort == SurfaceSort::metal) return true;
+  if (!values.base_color || !values.transmission) return false;
+  const LinearRgb body = scaled(*values.base_color, 1 - *values.transmission);
+  const auto total = known.total_of(bare_name(surface.name));
+  if (!total) return largest(body) < 0.002;  // half an 8-bit code
+  const double passed = 1 - largest(*values.f0);
+  return delta_e_of(
+             {values.f0->r + passed * body.r, values.f0->g + passed * body.g, values.f0->b + passed * body.b},
+             *total) <= near_measured;
 }
 
 JudgedSurface judged_surface(const KnownMaterials& known, const DocumentSurface& surface) {

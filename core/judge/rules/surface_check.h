@@ -36,6 +36,10 @@ double distance_of(const LinearRgb& f0, const KnownF0& entry);
 /// their own, count by their name: what a model without films or with a part of their reflectance shows is no mistake.
 bool is_what_it_is_called(const KnownMaterials& known, const DocumentSurface& surface, const LinearRgb& f0);
 
+/// Whether a surface has all that the measured material of its name has: F0, and a body that is clear, none, or
+/// together with F0 the measured total reflectance, within 3.
+bool is_as_measured(const KnownMaterials& known, const DocumentSurface& surface);
+
 /// A surface with the measured material nearest to it.
 JudgedSurface judged_surface(const KnownMaterials& known, const DocumentSurface& surface);
 

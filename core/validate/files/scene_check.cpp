@@ -11,6 +11,7 @@
 #include "core/image/texture_bytes.h"
 #include "core/judge/engine.h"
 #include "core/judge/rules.h"
+#include "core/judge/rules/surface_check.h"
 #include "core/scene/gltf_surfaces.h"
 #include "core/scene/uv_use.h"
 #include "core/validate/files/check_maps.h"
@@ -150,7 +151,11 @@ SceneFacts SceneCheck::facts_of_scene() {
 }
 
 SceneCheck::SceneCheck(const MaterialUses& uses, const TargetFile& of_scene, const PictureDoor& door)
-    : uses_(uses), of_scene_(of_scene), door_(door), pictures_(uses.scene().images, door) {
+    : uses_(uses),
+      of_scene_(of_scene),
+      door_(door),
+      pictures_(uses.scene().images, door),
+      surfaces_(surfaces_of_gltf(uses.scene())) {
   for (const GltfMaterial& material : uses.scene().materials) {
     if (!uses.scene().material_used[static_cast<std::size_t>(material.index)]) continue;
     const auto [first, second, first_role, second_role] = textures_of(material);
@@ -213,6 +218,11 @@ JudgedLook SceneCheck::judge(const SceneLook& look, LoadedPictures pictures,
   if (evidence.b && !second) evidence.b->header.channels = evidence.metal_rough ? 3 : 4;
   etak::judge(part, evidence, settings, out.file);
   const bool textured = leading_texture(material) != nullptr;
+  // Rules on pictures know no names: of numbers that are those of the measured material so called, they say nothing.
+  if (!textured && std::ranges::all_of(look.materials, [&](int user) {
+        return is_as_measured(known_materials(settings), surfaces_[static_cast<std::size_t>(user)]);
+      }))
+    out.file.findings.clear();
   for (Finding& finding : out.file.findings) {
     finding.material = look.names;
     finding.pointer = "/materials/" + std::to_string(material.index);
@@ -244,7 +254,7 @@ void SceneCheck::judge_headers(const Manifest& manifest, const Settings& setting
   if (has_limit("ETK015", settings) || has_limit("ETK016", settings)) headers.scene = facts_of_scene();
   if (has_limit("ETK016", settings)) headers.scene->densities = densities();
   headers.looks = picture_looks(settings);
-  headers.surfaces = surfaces_of_gltf(uses_.scene());
+  headers.surfaces = surfaces_;
   std::erase_if(headers.surfaces, [](const DocumentSurface& surface) {
     return std::ranges::all_of(surface.inputs, [](const SurfaceInput& each) { return each.values.empty(); });
   });

@@ -67,7 +67,8 @@ class SceneCheck {
   const TargetFile& of_scene_;
   const PictureDoor& door_;
   ScenePictures pictures_;
-  std::map<int, FileRole> roles_;  // by image
+  std::map<int, FileRole> roles_;          // by image
+  std::vector<DocumentSurface> surfaces_;  // by material
 };
 
 /// Adds the findings and counts of one look to those of the scene.

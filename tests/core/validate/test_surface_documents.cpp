@@ -193,6 +193,31 @@ TEST_CASE("clean documents get no remark") {
   }
 }
 
+TEST_CASE(
+    "numbers of a glTF material are let pass only where all of them are those of the material so named") {
+  const std::string chalk = R"("pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [)";
+  const auto remarks = [](const std::string& name, const std::string& material) {
+    const std::string mesh =
+        R"(, "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)" +
+        std::string(48, 'A') +
+        R"("}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0,0,0], "max": [0,0,0]}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+      "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0})";
+    std::string text = gltf_of(material);
+    text.replace(text.find("thing"), 5, name);
+    text.pop_back();
+    return remarks_on(checked_document("a.gltf", text + mesh));
+  };
+  const std::string dark = chalk + "0.004, 0.003, 0.003, 1]}",
+                    gaas = R"("pbrMetallicRoughness": {"baseColorFactor": [0.342, 0.366, 0.451, 1]})";
+  CHECK(contains(remarks("thing", gaas), "ETK101"));
+  CHECK(contains(remarks("Gold", gaas), "ETK101"));
+  CHECK(remarks("Gallium arsenide", gaas) == "");
+  CHECK(contains(remarks("chalk", dark), "ETK202"));
+  CHECK(contains(remarks("Poly(methyl methacrylate)", dark), "ETK202"));
+}
+
 TEST_CASE("a document tells the measured material nearest to each surface") {
   const CheckedFile file = checked_document(
       "a.mtlx",
@@ -327,6 +352,9 @@ TEST_CASE("what etak exports itself gets no remark") {
   REQUIRE(surfaces.size() > 200);
   std::vector<Changes> changes;
   CHECK(remarks_on(checked_document("a.mtlx", material_x(surfaces, Fit::clamp, changes))) == "");
+  CHECK(remarks_on(checked_document("a.gltf", gltf_document(surfaces, GltfMaterialForm::metal_rough,
+                                                            GltfContainer::gltf, Fit::clamp, changes))) ==
+        "");
   for (const auto& [target, file] : {std::pair("standard-surface", "a.mtlx"), std::pair("gltf-pbr", "a.mtlx"),
                                      std::pair("usd", "a.usda")}) {
     const EngineTarget& of = *engine_target(target);
