@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `import etak` costs, and what it loads."""
+import os
 import struct
 import subprocess
 import sys
@@ -23,10 +24,14 @@ class Import(unittest.TestCase):
     def test_it_takes_at_most_20_ms_beyond_numpy_in_the_same_run(self):
         code = "import time, numpy; t = time.perf_counter(); import etak; print(time.perf_counter() - t)"
         times = []
-        for _ in range(15):
-            times.append(float(run(code)))
-            if len(times) >= 5 and min(times) <= 0.020:
-                break
+        with tempfile.TemporaryDirectory() as cache:
+            # An installed package has its bytecode; the sources of a build tree get it in the first run.
+            env = {**os.environ, "PYTHONPYCACHEPREFIX": cache}
+            env.pop("PYTHONDONTWRITEBYTECODE", None)
+            for _ in range(15):
+                times.append(float(run(code, env=env)))
+                if len(times) >= 5 and min(times) <= 0.020:
+                    break
         print(f"import etak: {1e3 * min(times):.1f} ms beyond import numpy, best of {len(times)}", file=sys.stderr)
         self.assertLessEqual(min(times), 0.020)
 
