@@ -34,14 +34,15 @@ Picture whole(PngReader& png) {
 }
 
 // Level 0 of a KTX2 or DDS file that etak reads itself: OpenImageIO has no reader of KTX2, and refuses RGBA8 under the
-// newer header of DDS. Other DDS files are left to the door.
+// newer header of DDS. DDS files of other formats than RGBA8 and BC1 to BC7 are left to the door.
 std::optional<Picture> texture_file(std::string_view bytes, const std::string& label) {
   const std::string format = picture_format(bytes.substr(0, 32), label);
   const bool ktx2 = format == "ktx2";
-  if (!ktx2 && (format != "dds" || !is_rgba8_dds(bytes))) return {};
+  if (!ktx2 && (format != "dds" || !has_known_dds_format(bytes))) return {};
   TextureFile file = ktx2 ? read_ktx2(bytes, label) : read_dds(bytes, label);
   Picture out{header_of(file.levels.front()), {}};
   out.header.format = format;
+  out.header.lossy = file.blocks != nullptr;
   if (file.srgb) out.header.colour_space = "srgb";
   out.pixels = std::move(file.levels.front());
   return out;

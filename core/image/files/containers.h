@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image/blocks/blocks.h"
 #include "core/image/image.h"
 #include "core/image/pixels_view.h"
 
@@ -48,17 +49,19 @@ void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_
 /// A texture that was read from a KTX2 or DDS file.
 struct TextureFile {
   std::vector<Image8> levels;
+  const BlockFormat* blocks = nullptr;  // the format of the file, one of block_formats; null for RGBA8
   bool srgb = true;
   bool custom_alpha = false;  // set by DDS files with a DX10 header only
 };
 
-/// For programs that load an atlas: these read the files that write_ktx2() and write_dds() make, and other
-/// uncompressed RGBA8 files of these formats (2-D, one layer, one face, alpha not premultiplied; KTX2 also
-/// with Zstandard). Sizes, level counts and offsets are checked before memory is allocated. They throw Error
-/// that names `path`.
+/// For programs that load an atlas: these read the files that write_ktx2() and write_dds() make, other
+/// uncompressed RGBA8 files of these formats, and textures in the formats of block_formats, decoded (2-D, one
+/// layer, one face, alpha not premultiplied; KTX2 also with Zstandard, DDS of blocks also under the headers of
+/// Direct3D 9, which do not tell sRGB). Sizes, level counts and offsets are checked before memory is allocated.
+/// They throw Error that names `path`.
 TextureFile read_ktx2(std::string_view bytes, std::string_view path);
 TextureFile read_dds(std::string_view bytes, std::string_view path);
-/// Whether the header of a DDS file names RGBA8, the form that read_dds() reads.
-bool is_rgba8_dds(std::string_view bytes);
+/// Whether the header of a DDS file names RGBA8 or a format of block_formats, the forms that read_dds() reads.
+bool has_known_dds_format(std::string_view bytes);
 
 }  // namespace etak

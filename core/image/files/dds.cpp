@@ -26,6 +26,45 @@ constexpr std::uint32_t texture_2d = 3, misc_cube = 0x4;
 constexpr std::uint32_t alpha_straight = 1, alpha_premultiplied = 2, alpha_custom = 4;
 constexpr std::array<std::uint32_t, 4> rgba_masks{0xff, 0xff00, 0xff0000, 0xff000000};
 
+// The names of formats in blocks under the headers of Direct3D 9. DXT2 and DXT4 are BC2 and BC3 with colours
+// multiplied by alpha.
+struct FourCc {
+  std::string_view name;
+  std::uint32_t dxgi;
+};
+constexpr std::array four_ccs{FourCc{"DXT1", 71}, FourCc{"DXT2", 74}, FourCc{"DXT3", 74},
+                              FourCc{"DXT4", 77}, FourCc{"DXT5", 77}, FourCc{"ATI1", 80},
+                              FourCc{"BC4U", 80}, FourCc{"ATI2", 83}, FourCc{"BC5U", 83}};
+
+// The format of the texels; `known` is false for those that are not read.
+struct Format {
+  bool known = false, srgb = false, dx10 = false;
+  const BlockFormat* blocks = nullptr;
+};
+
+// The caller has looked whether a whole header of its kind is there.
+Format format_of(std::string_view bytes) {
+  Format out;
+  if ((number32(bytes, 80) & pixel_four_cc) == 0) {
+    out.known = number32(bytes, 88) == 32;
+    for (std::size_t c = 0; c < rgba_masks.size(); ++c)
+      out.known = out.known && number32(bytes, 92 + 4 * c) == rgba_masks[c];
+    return out;
+  }
+  const std::string_view name = bytes.substr(84, 4);
+  out.dx10 = name == "DX10";
+  if (out.dx10 && bytes.size() >= dx10_end) {
+    const std::uint32_t dxgi = number32(bytes, 128);
+    out.blocks = block_format_of_dxgi(dxgi);
+    out.known = out.blocks != nullptr || dxgi == dxgi_r8g8b8a8_unorm || dxgi == dxgi_r8g8b8a8_unorm_srgb;
+    out.srgb = out.blocks != nullptr ? dxgi == out.blocks->dxgi_srgb : dxgi == dxgi_r8g8b8a8_unorm_srgb;
+  }
+  for (const FourCc& each : four_ccs)
+    if (each.name == name) out.blocks = block_format_of_dxgi(each.dxgi);
+  out.known = out.known || out.blocks != nullptr;
+  return out;
+}
+
 }  // namespace
 
 void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
@@ -70,16 +109,8 @@ void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_
   }
 }
 
-bool is_rgba8_dds(std::string_view bytes) {
-  if (bytes.size() < dx10_end) return false;
-  if ((number32(bytes, 80) & pixel_four_cc) != 0) {
-    const std::uint64_t format = number32(bytes, 128);
-    return bytes.substr(84, 4) == "DX10" &&
-           (format == dxgi_r8g8b8a8_unorm || format == dxgi_r8g8b8a8_unorm_srgb);
-  }
-  for (std::size_t c = 0; c < rgba_masks.size(); ++c)
-    if (number32(bytes, 92 + 4 * c) != rgba_masks[c]) return false;
-  return number32(bytes, 88) == 32;
+bool has_known_dds_format(std::string_view bytes) {
+  return bytes.size() >= header_end && format_of(bytes).known;
 }
 
 TextureFile read_dds(std::string_view bytes, std::string_view path) {
@@ -98,44 +129,50 @@ TextureFile read_dds(std::string_view bytes, std::string_view path) {
 
   TextureFile file;
   std::size_t at = header_end;
-  if ((u32(80) & pixel_four_cc) != 0) {
-    if (bytes.substr(84, 4) != "DX10")
-      throw Error::at(path, "format " + in_quotes(bytes.substr(84, 4)), "DX10 or 32-bit RGBA masks");
+  const Format format = format_of(bytes);
+  file.blocks = format.blocks;
+  file.srgb = format.srgb;
+  if (format.dx10) {
     expect(bytes.size() >= dx10_end, "a DX10 header of bytes", bytes.size() - header_end, "20");
     at = dx10_end;
-    const std::uint32_t format = u32(128), alpha = u32(144) & 7;
-    expect(format == dxgi_r8g8b8a8_unorm || format == dxgi_r8g8b8a8_unorm_srgb, "DXGI format", format,
-           "28 (R8G8B8A8_UNORM) or 29 (R8G8B8A8_UNORM_SRGB)");
+    const std::uint32_t alpha = u32(144) & 7;
+    expect(format.known, "DXGI format", u32(128),
+           "R8G8B8A8 (28, 29), BC1 (71, 72), BC2 (74, 75), BC3 (77, 78), BC4 (80), BC5 (83) or BC7 (98, 99)");
     expect(u32(132) == texture_2d, "resource dimension", u32(132), "3: a 2-D texture");
     expect((u32(136) & misc_cube) == 0, "misc flags", u32(136), "no cube map");
     expect(u32(140) == 1, "layers", u32(140), "1");
     expect(alpha != alpha_premultiplied && alpha <= alpha_custom, "alpha mode", alpha,
            "0 (unknown), 1 (straight), 3 (opaque) or 4 (custom)");
-    file.srgb = format == dxgi_r8g8b8a8_unorm_srgb;
     file.custom_alpha = alpha == alpha_custom;
+  } else if ((u32(80) & pixel_four_cc) != 0) {
+    const std::string_view name = bytes.substr(84, 4);
+    if (!format.known || name == "DXT2" || name == "DXT4")
+      throw Error::at(path, "format " + in_quotes(name),
+                      "DX10, DXT1, DXT3, DXT5, ATI1 or ATI2, or 32-bit RGBA masks");
   } else {
     expect((u32(80) & pixel_rgb) != 0 && (u32(80) & pixel_alpha) != 0 && u32(88) == 32, "pixel format flags",
            u32(80), "DX10 or 32-bit RGBA masks");
     for (std::size_t c = 0; c < rgba_masks.size(); ++c)
       expect(u32(92 + 4 * c) == rgba_masks[c], "bit mask", u32(92 + 4 * c), std::to_string(rgba_masks[c]));
-    file.srgb = false;
   }
 
   const auto full =
       static_cast<std::uint32_t>(full_mip_levels(static_cast<int>(width), static_cast<int>(height)));
-  const std::uint32_t count = (u32(8) & flag_mip_count) != 0 ? std::max(1u, u32(28)) : 1;
+  const std::uint32_t count =
+      (u32(8) & flag_mip_count) != 0 || (u32(108) & caps_mipmap) != 0 ? std::max(1u, u32(28)) : 1;
   expect(count <= full, "levels", count, "at most " + std::to_string(full));
   const auto side = [](std::uint32_t of, std::uint32_t level) {
     return std::max(1, static_cast<int>(of >> level));
   };
   std::size_t size = 0;
   for (std::uint32_t l = 0; l < count; ++l)
-    size += static_cast<std::size_t>(side(width, l)) * static_cast<std::size_t>(side(height, l)) * 4;
+    size += texture_level_bytes(file.blocks, side(width, l), side(height, l));
   expect(bytes.size() - at == size, "texels of bytes", bytes.size() - at, std::to_string(size));
   for (std::uint32_t l = 0; l < count; ++l) {
-    Image8& level = file.levels.emplace_back(side(width, l), side(height, l), 4);
-    std::memcpy(level.values.data(), bytes.data() + at, level.values.size());
-    at += level.values.size();
+    const int level_width = side(width, l), level_height = side(height, l);
+    const std::size_t length = texture_level_bytes(file.blocks, level_width, level_height);
+    file.levels.push_back(level_of(bytes.substr(at, length), file.blocks, level_width, level_height));
+    at += length;
   }
   return file;
 }

@@ -28,38 +28,68 @@ constexpr const char* without_zstd = "Zstandard, which this etak was built witho
 #endif
 constexpr std::size_t header_bytes = 80, index_entry_bytes = 24;  // the level index follows the header
 
-std::size_t level_bytes(int width, int height) {
-  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
-}
-
 void pad_to_4(std::string& out) {
   while (out.size() % 4 != 0) out.push_back('\0');
 }
 
-// The basic data format descriptor of RGBA8. Its transfer function is that of the colour; where that is sRGB,
-// the sample of the alpha channel is marked as linear.
-std::string data_format_descriptor(bool srgb) {
-  constexpr std::uint32_t samples = 4, block_bytes = 24 + 16 * samples;
-  constexpr std::uint64_t model_rgbsda = 1, primaries_bt709 = 1, transfer_linear = 1, transfer_srgb = 2;
-  constexpr std::uint64_t alpha_channel = 15, linear_sample = 0x10;
+// A sample of a data format descriptor: the bits of a texel block that hold a channel.
+struct Sample {
+  unsigned first_bit, bits, channel;
+  std::uint32_t most;  // the code that stands for 1
+};
+constexpr unsigned alpha_channel = 15, linear_sample = 0x10;
+
+// The samples of a format (Khronos Data Format Specification 1.3, tables of the compressed formats).
+std::vector<Sample> samples_of(const BlockFormat* blocks) {
+  if (blocks == nullptr)
+    return {{0, 8, 0, 255}, {8, 8, 1, 255}, {16, 8, 2, 255}, {24, 8, alpha_channel, 255}};
+  constexpr std::uint32_t all = 0xffffffff;
+  switch (blocks->code) {
+    case BlockCode::bc2:
+    case BlockCode::bc3:
+      return {{0, 64, alpha_channel, all}, {64, 64, 0, all}};
+    case BlockCode::bc5:
+      return {{0, 64, 0, all}, {64, 64, 1, all}};
+    case BlockCode::bc1:
+      return {{0, 64, blocks->channels == 4 ? 1u : 0u, all}};  // 1: with transparent texels
+    default:
+      return {{0, static_cast<unsigned>(8 * blocks->block_bytes), 0, all}};
+  }
+}
+
+// The number of the colour model of a format: 1 is RGB with alpha.
+std::uint64_t colour_model(const BlockFormat* blocks) {
+  if (blocks == nullptr) return 1;
+  constexpr std::uint64_t bc1 = 128, bc7 = 134;
+  return blocks->code == BlockCode::bc7 ? bc7 : bc1 + static_cast<std::uint64_t>(blocks->code);
+}
+
+// The basic data format descriptor. Its transfer function is that of the colour; where that is sRGB, the sample
+// of the alpha channel is marked as linear.
+//   blocks   null for RGBA8
+std::string data_format_descriptor(const BlockFormat* blocks, bool srgb) {
+  constexpr std::uint64_t primaries_bt709 = 1, transfer_linear = 1, transfer_srgb = 2;
+  const std::vector<Sample> samples = samples_of(blocks);
+  const std::uint64_t block_bytes = 24 + 16 * samples.size();
   std::string out;
   append32(out, 4 + block_bytes);
   append32(out, 0);                      // vendor Khronos, basic descriptor
   append32(out, 2 | block_bytes << 16);  // version 1.3
-  append(out, model_rgbsda, 1);
+  append(out, colour_model(blocks), 1);
   append(out, primaries_bt709, 1);
   append(out, srgb ? transfer_srgb : transfer_linear, 1);
-  append(out, 0, 1);  // straight alpha
-  append32(out, 0);   // texel blocks of 1 x 1 x 1 x 1
-  append64(out, 4);   // 4 bytes in plane 0, also with supercompression (where older revisions wanted 0)
-  for (std::uint64_t c = 0; c < samples; ++c) {
-    const std::uint64_t channel = c < 3 ? c : alpha_channel | (srgb ? linear_sample : 0);
-    append(out, 8 * c, 2);
-    append(out, 7, 1);  // 8 bits
-    append(out, channel, 1);
-    append32(out, 0);    // sample position
-    append32(out, 0);    // code 0 stands for the value 0
-    append32(out, 255);  // code 255 stands for the value 1
+  append(out, 0, 1);                              // straight alpha
+  append32(out, blocks == nullptr ? 0 : 0x0303);  // texel blocks of 1 x 1 x 1 x 1, or of 4 x 4 x 1 x 1
+  // The bytes of a texel block in plane 0, also with supercompression (where older revisions wanted 0).
+  append64(out, blocks == nullptr ? 4 : blocks->block_bytes);
+  for (const Sample& sample : samples) {
+    const bool linear = srgb && sample.channel == alpha_channel;
+    append(out, sample.first_bit, 2);
+    append(out, sample.bits - 1, 1);
+    append(out, sample.channel | (linear ? linear_sample : 0), 1);
+    append32(out, 0);  // sample position
+    append32(out, 0);  // code 0 stands for the value 0
+    append32(out, sample.most);
   }
   return out;
 }
@@ -78,7 +108,7 @@ std::string key_values() {
 
 // The bytes of a whole level, whose rows have no gaps between them.
 std::string_view bytes_of(const ConstPixelsView8& level) {
-  return {reinterpret_cast<const char*>(level.data), level_bytes(level.width, level.height)};
+  return {reinterpret_cast<const char*>(level.data), texture_level_bytes(nullptr, level.width, level.height)};
 }
 
 #ifdef ETAK_HAS_ZSTD
@@ -132,8 +162,9 @@ struct Reader {
     return bytes.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
   }
 
-  void check_descriptor(std::string_view found, bool srgb, bool supercompressed) const {
-    const std::string expected = data_format_descriptor(srgb);
+  void check_descriptor(std::string_view found, const BlockFormat* blocks, bool srgb,
+                        bool supercompressed) const {
+    const std::string expected = data_format_descriptor(blocks, srgb);
     // The primaries may be unspecified, and bytesPlane0 is 0 in supercompressed files of older revisions.
     constexpr std::size_t primaries_at = 13, plane_at = 20;
     std::string same(found);
@@ -146,7 +177,7 @@ struct Reader {
     }
     if (same != expected)
       fail("a data format descriptor that is not that of the Vulkan format",
-           srgb ? "R8G8B8A8_SRGB's" : "R8G8B8A8_UNORM's");
+           std::string(blocks != nullptr ? blocks->name : "R8G8B8A8") + (srgb ? "_SRGB's" : "_UNORM's"));
   }
 
   // Only the orientation matters: a picture stored from the bottom would be read upside down.
@@ -168,15 +199,14 @@ struct Reader {
   }
 
 #ifdef ETAK_HAS_ZSTD
-  void decompress(std::string_view from, Image8& to) const {
-    const std::size_t size = ZSTD_decompress(to.values.data(), to.values.size(), from.data(), from.size());
+  void decompress(std::string_view from, std::string& to) const {
+    const std::size_t size = ZSTD_decompress(to.data(), to.size(), from.data(), from.size());
     if (ZSTD_isError(size) != 0)
       fail(std::string("Zstandard data: ") + ZSTD_getErrorName(size), "a whole frame");
-    expect(size == to.values.size(), "Zstandard data of uncompressed size", size,
-           std::to_string(to.values.size()));
+    expect(size == to.size(), "Zstandard data of uncompressed size", size, std::to_string(to.size()));
   }
 #else
-  void decompress(std::string_view, Image8&) const {
+  void decompress(std::string_view, std::string&) const {
     fail(without_zstd, "no compression");
   }
 #endif
@@ -196,7 +226,7 @@ void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_le
   assert(!levels.empty() && zstd_level >= 0 && zstd_level <= 22);
   const ConstPixelsView8& first = levels[0];
   const std::size_t count = levels.size();
-  const std::string descriptor = data_format_descriptor(srgb), pairs = key_values();
+  const std::string descriptor = data_format_descriptor(nullptr, srgb), pairs = key_values();
   const std::size_t descriptor_at = header_bytes + index_entry_bytes * count;
   const std::size_t pairs_at = descriptor_at + descriptor.size();
 
@@ -210,7 +240,7 @@ void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_le
     assert(level.channels == 4 && level.width == std::max(1, first.width >> l) &&
            level.height == std::max(1, first.height >> l) &&
            level.stride == 4 * static_cast<std::size_t>(level.width));
-    length[l] = level_bytes(level.width, level.height);
+    length[l] = texture_level_bytes(nullptr, level.width, level.height);
     offset[l] = end;
     end += length[l];
   }
@@ -219,7 +249,7 @@ void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_le
     for (std::size_t l = 0; l < count; ++l) {
       append64(out, offset[l]);
       append64(out, length[l]);
-      append64(out, level_bytes(levels[l].width, levels[l].height));
+      append64(out, texture_level_bytes(nullptr, levels[l].width, levels[l].height));
     }
     return out;
   };
@@ -260,8 +290,9 @@ TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
   if (bytes.substr(0, identifier.size()) != identifier) r.fail("no KTX 2.0 identifier", "a KTX 2.0 file");
   if (bytes.size() < header_bytes) r.fail("a header that breaks off", "80 bytes");
   const std::uint32_t format = r.u32(12), scheme = r.u32(44);
-  r.expect(format == vk_r8g8b8a8_unorm || format == vk_r8g8b8a8_srgb, "Vulkan format", format,
-           "37 (R8G8B8A8_UNORM) or 43 (R8G8B8A8_SRGB)");
+  const BlockFormat* blocks = block_format_of_vk(format);
+  r.expect(blocks != nullptr || format == vk_r8g8b8a8_unorm || format == vk_r8g8b8a8_srgb, "Vulkan format",
+           format, "37 or 43 (R8G8B8A8), 131 to 138 (BC1 to BC3), 139 (BC4), 141 (BC5), 145 or 146 (BC7)");
   r.expect(r.u32(16) == 1, "typeSize", r.u32(16), "1");
   const std::uint32_t width = r.u32(20), height = r.u32(24);
   for (const std::uint32_t side : {width, height})
@@ -278,25 +309,30 @@ TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
   r.expect(number64(bytes, 72) == 0, "supercompression global data of bytes", number64(bytes, 72), "none");
   const std::size_t behind_index = header_bytes + index_entry_bytes * count;
   if (bytes.size() < behind_index) r.fail("a level index that breaks off", std::to_string(count) + " levels");
-  const bool srgb = format == vk_r8g8b8a8_srgb;
-  r.check_descriptor(r.part("data format descriptor", r.u32(48), r.u32(52), behind_index), srgb,
+  const bool srgb = blocks != nullptr ? format == blocks->vk_srgb : format == vk_r8g8b8a8_srgb;
+  r.check_descriptor(r.part("data format descriptor", r.u32(48), r.u32(52), behind_index), blocks, srgb,
                      scheme == scheme_zstd);
   if (r.u32(60) != 0) r.check_key_values(r.part("key/value data", r.u32(56), r.u32(60), behind_index));
 
   TextureFile file;
   file.srgb = srgb;
+  file.blocks = blocks;
+  const std::size_t unit = blocks != nullptr ? blocks->block_bytes : 4;  // that levels lie on multiples of
+  const auto side = [](std::uint32_t of, std::size_t level) {
+    return std::max(1, static_cast<int>(of >> level));
+  };
   std::vector<std::string_view> data;
   for (std::size_t l = 0; l < count; ++l) {
     const std::size_t at = header_bytes + index_entry_bytes * l;
     const std::string name = "level " + std::to_string(l);
-    const std::size_t size =
-        level_bytes(std::max(1, static_cast<int>(width >> l)), std::max(1, static_cast<int>(height >> l)));
+    const std::size_t size = texture_level_bytes(blocks, side(width, l), side(height, l));
     data.push_back(r.part(name, number64(bytes, at), number64(bytes, at + 8), behind_index));
     r.expect(number64(bytes, at + 16) == size, name + " of uncompressed bytes", number64(bytes, at + 16),
              std::to_string(size));
     if (scheme == scheme_none) {
       r.expect(data[l].size() == size, name + " of bytes", data[l].size(), std::to_string(size));
-      r.expect(number64(bytes, at) % 4 == 0, name + " at", number64(bytes, at), "a multiple of 4");
+      r.expect(number64(bytes, at) % unit == 0, name + " at", number64(bytes, at),
+               "a multiple of " + std::to_string(unit));
     } else {
       // A block of Zstandard is at least 4 bytes and holds at most 128 KiB, so a small file cannot ask for
       // much memory.
@@ -305,12 +341,13 @@ TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
     }
   }
   for (std::size_t l = 0; l < count; ++l) {
-    Image8& level = file.levels.emplace_back(std::max(1, static_cast<int>(width >> l)),
-                                             std::max(1, static_cast<int>(height >> l)), 4);
-    if (scheme == scheme_none)
-      std::memcpy(level.values.data(), data[l].data(), data[l].size());
-    else
-      r.decompress(data[l], level);
+    std::string plain;
+    if (scheme == scheme_zstd) {
+      plain.resize(texture_level_bytes(blocks, side(width, l), side(height, l)));
+      r.decompress(data[l], plain);
+    }
+    const std::string_view texels = scheme == scheme_zstd ? plain : data[l];
+    file.levels.push_back(level_of(texels, blocks, side(width, l), side(height, l)));
   }
   return file;
 }

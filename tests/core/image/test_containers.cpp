@@ -220,9 +220,10 @@ TEST_CASE("a DDS file that is not as it should be is refused by what is wrong") 
   refused(with(good, 16, 65536), "side 65536");
   refused(with(good, 28, 6), "levels 6");
   refused(with(good, 28, 4), "texels");
-  refused(with(good, 84, 0x31545844), "DXT1");
+  refused(with(good, 84, 0x32545844), "DXT2");
   refused(with(good, 112, 0x200), "caps2");
-  refused(with(good, 128, 98), "DXGI format 98");
+  refused(with(good, 128, 98), "texels");
+  refused(with(good, 128, 97), "DXGI format 97");
   refused(with(good, 132, 4), "dimension 4");
   refused(with(good, 140, 2), "layers 2");
   refused(with(good, 144, 2), "alpha mode 2");

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "core/image/image.h"
+
+namespace etak {
+
+/// The ways in which a texture for a GPU keeps blocks of 4 x 4 texels.
+enum class BlockCode { bc1, bc2, bc3, bc4, bc5, bc7 };
+
+/// A format of textures in blocks, with the numbers by which the headers of files name it; 0: it has none.
+struct BlockFormat {
+  std::string_view name;
+  BlockCode code;
+  std::size_t block_bytes;        // of 4 x 4 texels
+  int channels;                   // of the decoded picture; see decode_block()
+  std::uint32_t vk, vk_srgb;      // VkFormat, in KTX2
+  std::uint32_t dxgi, dxgi_srgb;  // DXGI_FORMAT, in DDS
+};
+
+inline constexpr std::array block_formats{
+    BlockFormat{"BC1 without alpha", BlockCode::bc1, 8, 3, 131, 132, 0, 0},
+    BlockFormat{"BC1", BlockCode::bc1, 8, 4, 133, 134, 71, 72},
+    BlockFormat{"BC2", BlockCode::bc2, 16, 4, 135, 136, 74, 75},
+    BlockFormat{"BC3", BlockCode::bc3, 16, 4, 137, 138, 77, 78},
+    BlockFormat{"BC4", BlockCode::bc4, 8, 1, 139, 0, 80, 0},
+    BlockFormat{"BC5", BlockCode::bc5, 16, 3, 141, 0, 83, 0},
+    BlockFormat{"BC7", BlockCode::bc7, 16, 4, 145, 146, 98, 99}};
+
+/// The row of block_formats whose number in KTX2 or DDS files this is, for sRGB-encoded colour or not; null for
+/// others.
+const BlockFormat* block_format_of_vk(std::uint32_t vk);
+const BlockFormat* block_format_of_dxgi(std::uint32_t dxgi);
+
+/// The bytes of one mip level. Blocks at the right and the lower edge are whole where the level is not.
+///   format   null: four bytes a texel
+std::size_t texture_level_bytes(const BlockFormat* format, int width, int height);
+
+/// The 16 texels of a block as RGBA codes, row by row from the top, as a GPU samples them: what a format does not hold
+/// is 0 in colour and 255 in alpha, so that BC5 has red and green alone and BC4 red. Every row of bytes is a block. BC7
+/// is exact. Formats whose values lie between codes (BC1 to BC5) give the code nearest to the exact value.
+///   block   block_bytes bytes
+///   from    Khronos Data Format Specification 1.3, chapters 18 to 20 (S3TC, RGTC, BPTC); Direct3D 11.3 functional
+///           specification, 19.5. A reserved mode of BC7 gives 0 in all channels
+using BlockTexels = std::array<std::array<std::uint8_t, 4>, 16>;
+BlockTexels decode_block(BlockCode code, const std::uint8_t* block);
+BlockTexels decode_bc7(const std::uint8_t* block);
+
+/// The texels of one mip level, with as many channels as the format has.
+///   bytes    texture_level_bytes() bytes
+///   format   null: RGBA8
+Image8 level_of(std::string_view bytes, const BlockFormat* format, int width, int height);
+
+}  // namespace etak

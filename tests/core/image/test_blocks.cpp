@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/image/blocks/blocks.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "core/base/bytes/bytes_le.h"
+#include "core/image/files/containers.h"
+#include "core/image/load.h"
+#include "tests/core/image/block_files.h"
+#include "tests/support.h"
+
+namespace etak {
+namespace {
+
+using test::BlockTexture;
+using test::contains;
+using test::error_of;
+using Texel = std::array<std::uint8_t, 4>;
+
+BlockTexels decoded(BlockCode code, std::vector<unsigned> bytes) {
+  std::vector<std::uint8_t> block(bytes.begin(), bytes.end());
+  return decode_block(code, block.data());
+}
+
+const BlockFormat& format_named(std::string_view name) {
+  return *std::ranges::find(block_formats, name, &BlockFormat::name);
+}
+
+std::string descriptor_of(const BlockFormat& format, bool srgb) {
+  const unsigned alpha = srgb ? 31 : 15;
+  if (format.name == "BC1 without alpha") return test::block_descriptor(128, srgb, 8, {{0, 64, 0}});
+  if (format.name == "BC1") return test::block_descriptor(128, srgb, 8, {{0, 64, 1}});
+  if (format.name == "BC2") return test::block_descriptor(129, srgb, 16, {{0, 64, alpha}, {64, 64, 0}});
+  if (format.name == "BC3") return test::block_descriptor(130, srgb, 16, {{0, 64, alpha}, {64, 64, 0}});
+  if (format.name == "BC4") return test::block_descriptor(131, srgb, 8, {{0, 64, 0}});
+  if (format.name == "BC5") return test::block_descriptor(132, srgb, 16, {{0, 64, 0}, {64, 64, 1}});
+  return test::block_descriptor(134, srgb, 16, {{0, 128, 0}});
+}
+
+// Names of formats in DDS files of Direct3D 9.
+using FourCc = std::pair<std::string_view, std::string_view>;
+constexpr std::array four_ccs{FourCc{"DXT1", "BC1"}, FourCc{"DXT3", "BC2"}, FourCc{"DXT5", "BC3"},
+                              FourCc{"ATI1", "BC4"}, FourCc{"BC4U", "BC4"}, FourCc{"ATI2", "BC5"},
+                              FourCc{"BC5U", "BC5"}};
+
+const std::pair<int, int> sizes[] = {{16, 16}, {20, 12}, {5, 3}, {1, 1}, {1, 9}, {7, 1}};
+
+// What OpenImageIO's decoder makes of a DDS file.
+Image8 by_oiio(const std::string& path) {
+  const auto input = OIIO::ImageInput::open(path);
+  INFO(OIIO::geterror());
+  REQUIRE(input);
+  const OIIO::ImageSpec& spec = input->spec();
+  Image8 out(spec.width, spec.height, spec.nchannels);
+  REQUIRE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, out.values.data()));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a block of BC1 has four colours, or three and one without alpha, by the order of its two") {
+  // 0xf800 is red and 0x001f blue; indices 0, 1, 2, 3 in the first row.
+  const BlockTexels four = decoded(BlockCode::bc1, {0x00, 0xf8, 0x1f, 0x00, 0xe4, 0, 0, 0});
+  CHECK(four[0] == Texel{255, 0, 0, 255});
+  CHECK(four[1] == Texel{0, 0, 255, 255});
+  CHECK(four[2] == Texel{170, 0, 85, 255});
+  CHECK(four[3] == Texel{85, 0, 170, 255});
+  CHECK(four[4] == Texel{255, 0, 0, 255});
+  const BlockTexels three = decoded(BlockCode::bc1, {0x1f, 0x00, 0x00, 0xf8, 0xe4, 0, 0, 0});
+  CHECK(three[0] == Texel{0, 0, 255, 255});
+  CHECK(three[2] == Texel{128, 0, 128, 255});
+  CHECK(three[3] == Texel{0, 0, 0, 0});
+  // Equal colours: the mode of three. In BC3 the same eight bytes have four colours.
+  CHECK(decoded(BlockCode::bc1, {0, 0xf8, 0, 0xf8, 0xff, 0, 0, 0})[0] == Texel{0, 0, 0, 0});
+  CHECK(decoded(BlockCode::bc3, {255, 0, 0, 0, 0, 0, 0, 0, 0x1f, 0, 0, 0xf8, 0xe4, 0, 0, 0})[3] ==
+        Texel{170, 0, 85, 255});
+}
+
+TEST_CASE("BC2 has sixteen alphas; a block of BC4 has eight values, or six with 0 and 255") {
+  const BlockTexels bc2 =
+      decoded(BlockCode::bc2, {0x10, 0xf2, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 0, 0, 0, 0, 0, 0});
+  for (std::size_t i = 0; i < 4; ++i)
+    CHECK(bc2[i] == Texel{255, 255, 255, std::array<std::uint8_t, 4>{0, 17, 34, 255}[i]});
+  // Indices 0 to 7 in the first eight texels: 0xfac688 in three bytes.
+  const BlockTexels eight = decoded(BlockCode::bc4, {210, 0, 0x88, 0xc6, 0xfa, 0, 0, 0});
+  const BlockTexels six = decoded(BlockCode::bc4, {0, 200, 0x88, 0xc6, 0xfa, 0, 0, 0});
+  for (std::size_t i = 0; i < 8; ++i) {
+    CHECK(eight[i][0] == std::array{210, 0, 180, 150, 120, 90, 60, 30}[i]);
+    CHECK(six[i][0] == std::array{0, 200, 40, 80, 120, 160, 0, 255}[i]);
+  }
+  const BlockTexels bc5 = decoded(BlockCode::bc5, {9, 9, 0, 0, 0, 0, 0, 0, 8, 7, 0, 0, 0, 0, 0, 0});
+  CHECK(bc5[15] == Texel{9, 8, 0, 255});
+}
+
+TEST_CASE("BC7: mode 6 by hand, and the reserved mode is 0 in all channels") {
+  // Mode 6: bit 6 is set; each channel has two ends of 7 bits; both last bits are 1: all ends are 255.
+  std::vector<unsigned> white(16, 0);
+  for (std::size_t bit = 6; bit < 65; ++bit) white[bit / 8] |= 1u << bit % 8;
+  CHECK(decoded(BlockCode::bc7, white)[7] == Texel{255, 255, 255, 255});
+  // Only the second end of alpha (bits 56 to 62) and its last bit (64) are not 0: texel 1 has index 8, 34 / 64 of it.
+  // The other channels have that last bit alone: 1.
+  std::vector<unsigned> ramp(16, 0);
+  ramp[0] = 0x40;
+  ramp[7] = 0x7f;
+  ramp[8] = 1 | 8 << 4;
+  CHECK(decoded(BlockCode::bc7, ramp)[0] == Texel{0, 0, 0, 0});
+  CHECK(decoded(BlockCode::bc7, ramp)[1] == Texel{1, 1, 1, (255 * 34 + 32) / 64});
+  CHECK(decoded(BlockCode::bc7, std::vector<unsigned>(16, 0))[3] == Texel{0, 0, 0, 0});
+  std::vector<unsigned> reserved(16, 0xff);
+  reserved[0] = 0;
+  for (const Texel& texel : decoded(BlockCode::bc7, reserved)) CHECK(texel == Texel{0, 0, 0, 0});
+}
+
+TEST_CASE("OpenImageIO decodes 100,000 random blocks of each format alike") {
+  const test::TempFolder folder;
+  for (const BlockFormat& format : block_formats) {
+    const auto* old = std::ranges::find(four_ccs, format.name, &FourCc::second);
+    if (old == four_ccs.end() && format.name != "BC7") continue;
+    CAPTURE(format.name);
+    BlockTexture texture = test::random_blocks(format, 1268, 1264, 5);
+    texture.levels.resize(1);
+    test::spit(folder.file("a.dds"), old == four_ccs.end() ? test::dds_of(texture, "", format.dxgi)
+                                                           : test::dds_of(texture, old->first, 0));
+    const Image8 theirs = by_oiio(folder.file("a.dds"));
+    const Image8 ours = read_dds(test::slurp(folder.file("a.dds")), "a.dds").levels[0];
+    const auto compared = static_cast<std::size_t>(std::min(ours.channels, theirs.channels));
+    CHECK(compared >= std::min(2u, static_cast<unsigned>(ours.channels)));
+    int most = 0;
+    for (std::size_t i = 0; i < ours.pixel_count(); ++i)
+      for (std::size_t c = 0; c < compared; ++c)
+        most = std::max(most, std::abs(ours.values[i * static_cast<std::size_t>(ours.channels) + c] -
+                                       theirs.values[i * static_cast<std::size_t>(theirs.channels) + c]));
+    CHECK(most <= (format.name == "BC7" ? 0 : 1));
+  }
+}
+
+TEST_CASE("KTX2 and DDS files of every format in blocks are read with all levels, whatever their size") {
+  for (const BlockFormat& format : block_formats)
+    for (const auto& [width, height] : sizes)
+      for (const bool srgb : {false, true}) {
+        if (srgb && format.vk_srgb == 0) continue;
+        CAPTURE(format.name, width, height, srgb);
+        const BlockTexture texture = test::random_blocks(format, width, height, 7);
+        const auto check = [&](const TextureFile& file) {
+          CHECK(file.blocks->code == format.code);
+          CHECK(file.srgb == srgb);
+          REQUIRE(file.levels.size() == texture.levels.size());
+          for (std::size_t l = 0; l < file.levels.size(); ++l) {
+            const Image8& level = file.levels[l];
+            CHECK(level.width == std::max(1, texture.width >> l));
+            CHECK(level == level_of(texture.levels[l], file.blocks, level.width, level.height));
+          }
+        };
+        const unsigned vk = srgb ? format.vk_srgb : format.vk;
+        for (const bool zstd : {false, has_zstd()})
+          check(read_ktx2(test::ktx2_of(texture, vk, descriptor_of(format, srgb), zstd), "x.ktx2"));
+        if (format.dxgi == 0) continue;
+        check(read_dds(test::dds_of(texture, "", srgb ? format.dxgi_srgb : format.dxgi), "x.dds"));
+      }
+  for (const auto& [four_cc, name] : four_ccs) {
+    CAPTURE(four_cc);
+    const BlockTexture texture = test::random_blocks(format_named(name), 20, 12, 3);
+    const TextureFile file = read_dds(test::dds_of(texture, four_cc, 0), "x.dds");
+    CHECK(file.blocks == &format_named(name));
+    CHECK(file.levels[0] == level_of(texture.levels[0], file.blocks, 20, 12));
+    CHECK(!file.srgb);
+  }
+}
+
+TEST_CASE("a texel of a level stands where its block stands, and blocks at the edge are cut") {
+  // Every block of BC4 has one value: its number.
+  std::string blocks;
+  for (int i = 0; i < 6; ++i) blocks += std::string(2, static_cast<char>(i + 1)) + std::string(6, '\0');
+  const Image8 level = level_of(blocks, &format_named("BC4"), 9, 5);
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 9; ++x) CHECK(level.at(x, y)[0] == 3 * (y / 4) + x / 4 + 1);
+}
+
+TEST_CASE("textures in blocks that are cut, hostile or of another form are refused by what is wrong") {
+  const BlockFormat& bc7 = format_named("BC7");
+  const BlockTexture texture = test::random_blocks(bc7, 20, 12, 1);
+  const std::string ktx2 = test::ktx2_of(texture, 146, descriptor_of(bc7, true), false),
+                    dds = test::dds_of(texture, "", 99);
+  const auto refused = [](auto read, const std::string& bytes, std::string_view why) {
+    const std::string error = error_of([&] { read(bytes, "x"); });
+    CAPTURE(error, why);
+    CHECK(contains(error, why));
+    CHECK(error.find('\n') == error.npos);
+  };
+  const auto with = [](std::string bytes, std::size_t at, std::uint64_t value) {
+    std::string word;
+    bytes_le::append32(word, value);
+    return bytes.replace(at, 4, word);
+  };
+  for (std::size_t size = 0; size < ktx2.size(); size += 5) refused(read_ktx2, ktx2.substr(0, size), "x: ");
+  for (std::size_t size = 0; size < dds.size(); size += 5) refused(read_dds, dds.substr(0, size), "x: ");
+  refused(read_ktx2, with(ktx2, 12, 143), "Vulkan format 143");  // BC6H
+  refused(read_ktx2, with(ktx2, 12, 145), "descriptor");  // linear by its format, sRGB by its descriptor
+  refused(read_ktx2, with(ktx2, 12, 138), "descriptor");  // BC3
+  refused(read_ktx2, with(ktx2, 20, 24), "uncompressed bytes");
+  refused(read_ktx2, with(ktx2, 20, 0xffffffff), "side");
+  refused(read_ktx2, with(ktx2, 80, bytes_le::number32(ktx2, 80) - 8), "multiple of 16");
+  refused(read_dds, with(dds, 128, 95), "DXGI format 95");
+  refused(read_dds, with(dds, 144, 2), "alpha mode 2");
+  refused(read_dds, with(dds, 16, 24), "texels of bytes");
+  refused(read_dds, with(dds, 28, 6), "levels 6");
+  refused(read_dds, dds + '\0', "texels of bytes");
+  const BlockTexture bc2 = test::random_blocks(format_named("BC2"), 8, 8, 1);
+  refused(read_dds, test::dds_of(bc2, "DXT2", 0), "DXT2");  // premultiplied
+  refused(read_dds, test::dds_of(bc2, "BC5S", 0), "BC5S");
+}
+
+TEST_CASE("a picture in blocks is opened as any other, tells its transfer and that it is lossy") {
+  const BlockFormat& bc7 = format_named("BC7");
+  const BlockTexture texture = test::random_blocks(bc7, 20, 12, 1);
+  const Image8 wanted = level_of(texture.levels[0], &bc7, 20, 12);
+  const test::TempFolder folder;
+  test::spit(folder.file("a.ktx2"), test::ktx2_of(texture, 146, descriptor_of(bc7, true), false));
+  test::spit(folder.file("a.dds"), test::dds_of(texture, "", 98));
+  for (const bool ktx2 : {true, false}) {
+    const Picture picture = load_picture(folder.file(ktx2 ? "a.ktx2" : "a.dds"), PictureDoor{});
+    CHECK(std::get<Image8>(picture.pixels) == wanted);
+    CHECK(picture.header.colour_space == (ktx2 ? "srgb" : ""));
+    CHECK(picture.header.lossy);
+  }
+}
+
+}  // namespace etak
