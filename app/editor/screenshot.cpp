@@ -23,6 +23,7 @@
 #include "app/editor/curves/curves_panel.h"
 #include "app/editor/document/files.h"
 #include "app/editor/fields/press_id.h"
+#include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/layers_section.h"
@@ -92,10 +93,21 @@ void put_tiles_on(Window& window) {
       "tiles_diffuse.png", [](int i) { return i * 7 % 3 == 0 ? QColor(170, 74, 52) : QColor(186, 142, 96); },
       QColor(140, 136, 130));
   const QString gloss = tiles(
-      "tiles_gloss.png", [](int i) { return QColor(Qt::white).darker(110 + i * 5 % 7 * 12); },
+      "tiles_gloss.png", [](int i) { return QColor(Qt::white).darker(130 + i * 5 % 7 * 12); },
       QColor(60, 60, 60));
   window.take_files({colors, gloss});
   settle(window);
+  if (auto* table = window.findChild<DropTable*>()) table->accept();
+  settle(window);
+}
+
+// Drops a set of metal-rough pictures, whose table stays open.
+void drop_set_on(Window& window) {
+  const auto grey = [](int) { return QColor(120, 90, 200); };
+  QStringList files;
+  for (const char* each : {"Crate_BaseColor.png", "Crate_ORM.png", "Crate_Normal.png", "Crate_Height.png"})
+    files << tiles(QLatin1String(each), grey, QColor(60, 60, 60));
+  window.take_files(files);
 }
 
 // Makes the current material one that has findings, and selects the first of them.
@@ -187,6 +199,7 @@ void show_state(Window& window, const QString& state) {
          window.use_library_material("anodised_titanium_50nm");
          window.inspector().ensureWidgetVisible(window.inspector().findChild<LayersSection*>());
        }},
+      {"drop", [&] { drop_set_on(window); }},
       {"near", [&] { window.library_panel().search().setText("car paint"); }},
       {"preview", [&] { emit window.library_panel().looked_at("copper"); }},
       {"findings", [&] { show_findings(window); }},

@@ -26,7 +26,7 @@ enum class ExportForm;
 namespace etak::editor {
 
 class CurvesPanel;
-struct DroppedSet;
+struct DroppedPictures;
 class FindingsPanel;
 class Inspector;
 class LibraryPanel;
@@ -83,7 +83,8 @@ class Window : public QMainWindow {
   void save_to(const QString& path);
   void import(const QStringList& paths);
   /// Takes dropped files: spectra are imported, a .hdr becomes the environment. Pictures with one name become
-  /// textures of the current material, those of several names one material for each name. For a project, the
+  /// textures of the current material, those of several names one material for each name; of more than one picture a
+  /// table shows first what goes where. For a project, the
   /// user is asked whether to open it or to add its materials. Other files are refused with a message.
   void take_files(const QStringList& paths);
   PackDialog* pack_to(const QString& folder);
@@ -148,7 +149,10 @@ class Window : public QMainWindow {
   bool can_take(const QStringList& files);
   ///   refused   what to tell of the other files that were dropped with them
   void take_pictures(const QStringList& files, const QStringList& refused);
-  void take_sets(const std::vector<DroppedSet>& sets);
+  /// Shows the table of what goes where, and takes what the user leaves in it.
+  void ask_what_goes_where(DroppedPictures dropped);
+  ///   fresh   makes new materials; else a single set goes onto the material in hand
+  void take_sets(const DroppedPictures& dropped, bool fresh);
   void take_picture(Channel channel, const QString& file);
   void take_spectra(const QStringList& files);
   void ask_open_or_add(const QString& project);

@@ -8,6 +8,7 @@
 #include "app/editor/document/dropped_pictures.h"
 #include "app/editor/document/files.h"
 #include "app/editor/fields/press_id.h"
+#include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/texture_section.h"
 #include "app/editor/window.h"
@@ -74,39 +75,59 @@ void Window::take_pictures(const QStringList& files, const QStringList& refused)
                   dropped.refused = refused + dropped.refused;
                   if (at != document_.current() || generation != document_.generation())
                     return tell(tr("The pictures were not taken: another material is in hand now"));
-                  take_sets(dropped.sets);
                   if (!dropped.refused.isEmpty())
                     show_problems(tr("Some files cannot be taken"), dropped.refused);
+                  if (dropped.rows.empty()) return;
+                  const DroppedRow& first = dropped.rows.front();
+                  if (dropped.needs_table())
+                    ask_what_goes_where(std::move(dropped));
+                  else if (first.channel)
+                    take_sets(dropped, false);
+                  else
+                    show_problems(tr("Some files cannot be taken"),
+                                  {tr("%1: %2: %3")
+                                       .arg(QFileInfo(qt_text(first.source.path)).fileName(), first.holds,
+                                            first.remark)});
                 });
 }
 
-void Window::take_sets(const std::vector<DroppedSet>& sets) {
-  if (sets.empty()) return;
-  QStringList names;
-  for (const DroppedSet& set : sets) {
-    QStringList channels;
-    for (const auto& [channel, path] : set.files) channels << qt_text(name(channel));
-    names << tr("%1: %2").arg(qt_text(set.name), channels.join(QLatin1String(", ")));
-  }
-  if (sets.size() == 1 && document_.material() != nullptr) {
+void Window::ask_what_goes_where(DroppedPictures dropped) {
+  const ProjectMaterial* onto = document_.material();
+  auto* table = new DropTable(std::move(dropped), onto != nullptr ? qt_text(onto->name) : QString(), this);
+  table->setAttribute(Qt::WA_DeleteOnClose);
+  connect(table, &QDialog::accepted, this,
+          [this, table] { take_sets(table->dropped(), table->makes_new()); });
+  table->open();
+}
+
+void Window::take_sets(const DroppedPictures& dropped, bool fresh) {
+  if (!fresh && dropped.sets.size() == 1 && document_.material() != nullptr)
     document_.change_material(tr("textures"), next_press_id(),
-                              [&](ProjectMaterial& m) { take_set(sets.front(), m); });
-  } else {
-    std::vector<ProjectMaterial> materials;
-    for (const DroppedSet& set : sets) materials.push_back(material_of(set));
-    document_.add(std::move(materials), {}, tr("materials of pictures"));
-  }
-  tell(names.join(QLatin1String("; ")));
+                              [&](ProjectMaterial& m) { take_set(dropped, 0, m); });
+  else
+    document_.add(materials_of(dropped), {}, tr("materials of pictures"));
+  tell(taken_text(dropped));
 }
 
 void Window::take_picture(Channel channel, const QString& file) {
-  read_or_write([file] { return picture_failure(file); },
-                [this, channel, file, at = document_.current(),
-                 generation = document_.generation()](const QString& failure) {
-                  if (!failure.isEmpty()) return show_problems(tr("This cannot be taken"), {failure});
-                  if (at == document_.current() && generation == document_.generation())
-                    take_sets({DroppedSet{document_.material()->name, {{channel, file}}}});
-                });
+  struct Read {
+    QString failure;
+    GreenAxis green = GreenAxis::unsaid;
+  };
+  read_or_write(
+      [file, normal = channel == Channel::normal] {
+        Read out{picture_failure(file)};
+        if (normal && out.failure.isEmpty()) out.green = green_of(file.toStdString());
+        return out;
+      },
+      [this, channel, file, at = document_.current(), generation = document_.generation()](const Read& read) {
+        if (!read.failure.isEmpty()) return show_problems(tr("This cannot be taken"), {read.failure});
+        if (at == document_.current() && generation == document_.generation())
+          take_sets({{document_.material()->name},
+                     {{0, {}, channel, {file.toStdString(), {}, {}}, read.green}},
+                     {}},
+                    false);
+      });
 }
 
 void Window::take_spectra(const QStringList& files) {

@@ -6,6 +6,7 @@
 #include <QTabWidget>
 
 #include "app/editor/curves/curves_panel.h"
+#include "app/editor/document/file_watch.h"
 #include "app/editor/document/files.h"
 #include "app/editor/document/pictures.h"
 #include "app/editor/fields/press_id.h"
@@ -91,6 +92,11 @@ void Window::connect_viewport() {
   connect(texture_view_, &TextureView::textures_changed, this, soon);
   connect(texture_view_, &TextureView::reading, this,
           [this](const QString& what) { pictures_->setText(what); });
+  connect(new FileWatch(document_, this), &FileWatch::changed, this, [this](const QStringList& materials) {
+    texture_view_->read_again();
+    validator_->check(materials);
+    tell(tr("pictures of %1 have changed").arg(materials.join(QLatin1String(", "))));
+  });
   connect(view_panel_, &ViewPanel::look_changed, this, soon);
   connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
     if (document_.material() == nullptr) return;

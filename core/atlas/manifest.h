@@ -48,6 +48,8 @@ using TextureSource = std::variant<ImageSource, LibrarySource, ConstantSource>;
 struct ManifestMaterial {
   std::string name;
   std::optional<TextureSource> diffuse, specular, gloss, roughness, alpha, base_color, metallic;
+  std::optional<GlossForm>
+      gloss_form;      // of its own gloss; none: as the manifest says. Manifests cannot say it
   std::string normal;  // file of a tangent-space normal map; empty: none
   AlphaMode alpha_mode = AlphaMode::blend;
   double alpha_cutoff = 0.5;

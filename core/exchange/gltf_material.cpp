@@ -250,6 +250,8 @@ std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, 
                                                                     {"clearcoatRoughnessFactor", "0"}})});
     }
   }
+  if (!pictures.normal.empty())
+    members.push_back({"normalTexture", used.pictures.texture(pictures.normal, s.id + " normal")});
   if (!pictures.occlusion.empty())
     members.push_back({"occlusionTexture", used.pictures.texture(pictures.occlusion, s.id + " occlusion")});
   if (s.emission != LinearRgb{}) {

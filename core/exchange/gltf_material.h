@@ -41,10 +41,10 @@ struct GltfPictures {
   bool opacity_alone = false;
   std::string alpha_mode;
   double alpha_cutoff = 0.5;
-  std::string emissive{}, occlusion{};
+  std::string emissive{}, occlusion{}, normal{};
   bool empty() const {
     return base_color.empty() && metallic_roughness.empty() && specular_color.empty() && emissive.empty() &&
-           occlusion.empty();
+           occlusion.empty() && normal.empty();
   }
 };
 

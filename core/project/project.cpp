@@ -44,8 +44,9 @@ double opacity_by_mode(const ProjectMaterial& material) {
 }  // namespace
 
 std::string_view name(Channel channel) {
-  constexpr std::array<std::string_view, all_channels.size()> names{"diffuse", "specular", "gloss",
-                                                                    "alpha",   "emission", "occlusion"};
+  constexpr std::array<std::string_view, all_channels.size()> names{
+      "diffuse",    "specular", "gloss",     "alpha",      "emission", "occlusion",
+      "base_color", "metallic", "roughness", "smoothness", "normal"};
   return names[static_cast<std::size_t>(channel)];
 }
 
@@ -53,8 +54,39 @@ LinearRgb standard_emission(const ProjectMaterial& material) {
   return material.texture(Channel::emission) ? LinearRgb{1, 1, 1} : LinearRgb{};
 }
 
+Channel drawn_as(Channel channel) {
+  switch (channel) {
+    case Channel::base_color:
+      return Channel::diffuse;
+    case Channel::metallic:
+      return Channel::specular;
+    case Channel::roughness:
+    case Channel::smoothness:
+      return Channel::gloss;
+    default:
+      return channel;
+  }
+}
+
+bool gives(const ProjectMaterial& material, Channel quantity) {
+  if (quantity == Channel::specular && material.texture(Channel::base_color)) return true;
+  return std::ranges::any_of(all_channels, [&](Channel each) {
+    return material.texture(each) && drawn_as(each) == quantity && each != Channel::metallic;
+  });
+}
+
 void set_texture(ProjectMaterial& material, Channel channel, std::optional<ImageSource> source) {
   const bool standard = material.emission == standard_emission(material);
+  const auto leave = [&](std::initializer_list<Channel> others) {
+    for (const Channel each : others)
+      if (source && each != channel) material.texture(each).reset();
+  };
+  if (channel == Channel::base_color || channel == Channel::metallic)
+    leave({Channel::diffuse, Channel::specular});
+  else if (channel == Channel::diffuse || channel == Channel::specular)
+    leave({Channel::base_color, Channel::metallic});
+  else if (drawn_as(channel) == Channel::gloss)
+    leave({Channel::gloss, Channel::roughness, Channel::smoothness});
   material.texture(channel) = std::move(source);
   if (standard) material.emission = standard_emission(material);
 }
@@ -124,7 +156,7 @@ void take_measured(ProjectMaterial& material, const FoundF0& found) {
 }
 
 std::string text_of_layers(const ProjectMaterial& material, const MaterialLibrary& library) {
-  if (!material.measured || material.texture(Channel::specular)) return {};
+  if (!material.measured || gives(material, Channel::specular)) return {};
   const auto record = library.find(material.measured->material);
   if (!record) return {};
   const Dataset& used = dataset_named(*record, material.measured->dataset, record->id);
@@ -235,11 +267,24 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
     ManifestMaterial row;
     row.name = m.name;
     row.place = m.name;
-    row.diffuse = source_of(m, Channel::diffuse, m.diffuse, remarks);
-    row.specular = source_of(m, Channel::specular, m.specular, remarks);
-    if (auto* f0 = std::get_if<ConstantSource>(&*row.specular)) f0->layers = text_of_layers(m, all);
+    const auto& metallic = m.texture(Channel::metallic);
+    if (const auto& base = m.texture(Channel::base_color)) {
+      row.base_color = *base;
+      if (metallic) row.metallic = *metallic;
+    } else {
+      row.diffuse = source_of(m, Channel::diffuse, m.diffuse, remarks);
+      row.specular = source_of(m, Channel::specular, m.specular, remarks);
+      if (metallic) remarks.push_back(m.name + ": its metallic says nothing without a base colour");
+    }
+    if (auto* f0 = row.specular ? std::get_if<ConstantSource>(&*row.specular) : nullptr)
+      f0->layers = text_of_layers(m, all);
     // A roughness is passed on as it was given: the packer then reports what its form of gloss cannot hold.
-    if (m.gloss.given_roughness() && !m.texture(Channel::gloss)) {
+    if (m.texture(Channel::roughness)) {
+      row.roughness = *m.texture(Channel::roughness);
+    } else if (m.texture(Channel::smoothness)) {
+      row.gloss = *m.texture(Channel::smoothness);
+      row.gloss_form = GlossForm::one_minus_roughness;
+    } else if (m.gloss.given_roughness() && !m.texture(Channel::gloss)) {
       const double r = *m.gloss.given_roughness();
       row.roughness = ConstantSource{{r, r, r}, {}};
     } else {
@@ -248,6 +293,7 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
     row.alpha = source_of(m, Channel::alpha, {m.alpha, m.alpha, m.alpha}, remarks);
     row.alpha_mode = m.alpha_mode;
     row.alpha_cutoff = m.alpha_cutoff;
+    if (const auto& normal = m.texture(Channel::normal)) row.normal = normal->path;
     for (const Channel channel : {Channel::emission, Channel::occlusion})
       if (m.texture(channel) || (channel == Channel::emission && m.emission != LinearRgb{}))
         remarks.push_back(m.name + ": its " + std::string(name(channel)) + " is in none of the textures");

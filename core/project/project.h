@@ -34,14 +34,38 @@ struct MeasuredF0 {
   friend bool operator==(const MeasuredF0&, const MeasuredF0&) = default;
 };
 
-/// The quantities of a material that a texture can give.
-enum class Channel { diffuse, specular, gloss, alpha, emission, occlusion };
-inline constexpr std::array all_channels{Channel::diffuse, Channel::specular, Channel::gloss,
-                                         Channel::alpha,   Channel::emission, Channel::occlusion};
-std::string_view name(Channel channel);  // "diffuse", ...
+/// What a picture of a material holds.
+///   base_color, metallic   in place of diffuse and specular, as glTF means them; without metallic it is 0
+///   roughness, smoothness  in place of gloss: perceptual roughness, and 1 less that
+///   normal                 of the tangent space
+enum class Channel {
+  diffuse,
+  specular,
+  gloss,
+  alpha,
+  emission,
+  occlusion,
+  base_color,
+  metallic,
+  roughness,
+  smoothness,
+  normal
+};
+inline constexpr std::array all_channels{Channel::diffuse,    Channel::specular, Channel::gloss,
+                                         Channel::alpha,      Channel::emission, Channel::occlusion,
+                                         Channel::base_color, Channel::metallic, Channel::roughness,
+                                         Channel::smoothness, Channel::normal};
+std::string_view name(Channel channel);  // "diffuse", ..., "base_color", ...
 inline bool is_color(Channel channel) {
-  return channel == Channel::diffuse || channel == Channel::specular || channel == Channel::emission;
+  return channel == Channel::diffuse || channel == Channel::specular || channel == Channel::emission ||
+         channel == Channel::base_color;
 }
+/// The quantity that a renderer gets from a channel: diffuse of base_color, specular of metallic, gloss of roughness
+/// and smoothness, itself of all others.
+Channel drawn_as(Channel channel);
+
+/// The least and the largest number of times that pictures repeat over a surface.
+inline constexpr double least_uv_scale = 0.01, most_uv_scale = 100;
 
 /// One material of a project. A texture replaces the number of its channel, but for emission and occlusion, which
 /// it multiplies, as in glTF.
@@ -58,6 +82,8 @@ struct ProjectMaterial {
   double occlusion = 1;         // share of the light from all around that reaches it
   std::optional<MeasuredF0> measured;
   std::array<std::optional<ImageSource>, all_channels.size()> textures;
+  bool green_down = false;               // of the normal map: DirectX's convention, in place of OpenGL's
+  std::array<double, 2> uv_scale{1, 1};  // how often the pictures repeat where they are drawn
   AlphaMode alpha_mode = AlphaMode::blend;
   double alpha_cutoff = 0.5;
   std::string specular_model{default_specular}, diffuse_model{default_diffuse};  // empty: none
@@ -73,7 +99,12 @@ struct ProjectMaterial {
 /// The emission of a material of which nothing is said: black, but white under a texture.
 LinearRgb standard_emission(const ProjectMaterial& material);
 
-/// Gives a channel a picture, or none. A standard emission stays one.
+/// Whether a picture gives a quantity, which is the channel of its own or what is drawn as it: with a base colour there
+/// are diffuse and specular.
+bool gives(const ProjectMaterial& material, Channel quantity);
+
+/// Gives a channel a picture, or none. A standard emission stays one, and the pictures of channels that it takes the place
+/// of go: diffuse and specular for a base colour or metallic, gloss for a roughness.
 void set_texture(ProjectMaterial& material, Channel channel, std::optional<ImageSource> source);
 
 /// Two sides, A and B, in one picture, so that two materials or models can be compared.

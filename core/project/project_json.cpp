@@ -7,6 +7,7 @@
 #include "core/base/json/json_text.h"
 #include "core/base/system.h"
 #include "core/image/image.h"
+#include "core/judge/settings.h"
 #include "core/light/studio.h"
 #include "core/material/json.h"
 #include "core/material/material_node_json.h"
@@ -121,8 +122,8 @@ class Reader {
 
   ProjectMaterial material(const JsonNode& node) const {
     node.expect_object({"name", "diffuse", "specular", "measured", "gloss", "roughness", "alpha", "emission",
-                        "occlusion", "textures", "alpha_mode", "alpha_cutoff", "model", "diffuse_model",
-                        "parameters"});
+                        "occlusion", "textures", "uv_scale", "alpha_mode", "alpha_cutoff", "model",
+                        "diffuse_model", "parameters"});
     ProjectMaterial out;
     out.name = read_name(node);
     if (node.has("diffuse")) out.diffuse = color(node.at("diffuse"));
@@ -135,6 +136,11 @@ class Reader {
     if (node.has("alpha")) out.alpha = ranged(node.at("alpha"), 0, 1);
     if (node.has("occlusion")) out.occlusion = ranged(node.at("occlusion"), 0, 1);
     if (node.has("textures")) textures(node.at("textures"), out);
+    if (node.has("uv_scale"))
+      out.uv_scale =
+          node.at("uv_scale")
+              .each_of<2>([](const JsonNode& each) { return ranged(each, least_uv_scale, most_uv_scale); },
+                          "[u, v]");
     out.emission = node.has("emission") ? color(node.at("emission"), 0) : standard_emission(out);
     if (node.has("alpha_mode")) out.alpha_mode = read_alpha_mode(node.at("alpha_mode"));
     if (node.has("alpha_cutoff")) out.alpha_cutoff = ranged(node.at("alpha_cutoff"), 0, 1);
@@ -167,15 +173,26 @@ class Reader {
   }
 
   void textures(const JsonNode& node, ProjectMaterial& out) const {
-    node.expect_object({"diffuse", "specular", "gloss", "alpha", "emission", "occlusion"});
+    node.expect_object({"diffuse", "specular", "gloss", "alpha", "emission", "occlusion", "base_color",
+                        "metallic", "roughness", "smoothness", "normal"});
     for (const Channel channel : all_channels) {
       if (!node.has(name(channel))) continue;
       const JsonNode picture = node.at(name(channel));
-      picture.expect_object({"image", "channels", "space"});
+      picture.expect_object({"image", "channels", "space", "green"});
+      if (picture.has("green")) {
+        if (channel != Channel::normal) picture.at("green").fail("of another channel than normal", "nothing");
+        out.green_down = picture.at("green").word(green_named, "opengl or directx") == GreenAxis::directx;
+      }
       out.texture(channel) =
           ImageSource{read_path(picture.at("image"), folder_), read_channels(picture, is_color(channel)),
                       picture.text_or_empty("space")};
     }
+    for (const auto& [one, other] : {std::pair("base_color", "diffuse"), std::pair("base_color", "specular"),
+                                     std::pair("metallic", "diffuse"), std::pair("metallic", "specular"),
+                                     std::pair("gloss", "roughness"), std::pair("gloss", "smoothness"),
+                                     std::pair("roughness", "smoothness")})
+      if (node.has(one) && node.has(other))
+        node.fail("both \"" + std::string(one) + "\" and \"" + other + "\"", "one of the two");
   }
 
   static void read_model(const JsonNode& node, const char* key, bool diffuse, std::string& id) {
@@ -299,9 +316,12 @@ class Writer {
         std::vector<JsonMember> parts{{"image", json(path(source->path))}};
         if (!source->channels.empty()) parts.push_back({"channels", json(source->channels)});
         if (!source->space.empty()) parts.push_back({"space", json(source->space)});
+        if (channel == Channel::normal && m.green_down) parts.push_back({"green", json("directx")});
         textures.push_back({name(channel), json_object(parts, -1)});
       }
     if (!textures.empty()) members.push_back({"textures", json_object(textures, -1)});
+    if (m.uv_scale != std::array{1.0, 1.0})
+      members.push_back({"uv_scale", "[" + json(m.uv_scale[0]) + ", " + json(m.uv_scale[1]) + "]"});
     const ProjectMaterial standard;
     if (m.alpha_mode != standard.alpha_mode) members.push_back({"alpha_mode", json(name(m.alpha_mode))});
     if (m.alpha_cutoff != standard.alpha_cutoff) members.push_back({"alpha_cutoff", json(m.alpha_cutoff)});

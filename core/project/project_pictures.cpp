@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
+#include "core/image/load.h"
 #include "core/render/surface_textures.h"
 
 namespace etak {
@@ -42,7 +43,7 @@ Image linear_small(const Image8& codes, int most_side) {
 
 // Whether texels of a channel come from a picture. The mode opaque does not read the alpha.
 bool is_read(const ProjectMaterial& m, Channel channel) {
-  return m.texture(channel) && (channel != Channel::alpha || m.alpha_mode != AlphaMode::opaque);
+  return gives(m, channel) && (channel != Channel::alpha || m.alpha_mode != AlphaMode::opaque);
 }
 
 // Sets the components of all texels, which have the same value everywhere, to those of `code`.
@@ -74,7 +75,8 @@ bool has_textures(const ProjectMaterial& material) {
 
 bool has_packed_textures(const ProjectMaterial& material) {
   return std::ranges::any_of(all_channels, [&](Channel channel) {
-    return channel != Channel::emission && channel != Channel::occlusion && material.texture(channel);
+    return channel != Channel::emission && channel != Channel::occlusion && channel != Channel::normal &&
+           material.texture(channel);
   });
 }
 
@@ -82,6 +84,7 @@ MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary&
                          const PictureDoor& door, std::size_t most_texels) {
   Project one;
   one.materials = {material};
+  one.materials[0].texture(Channel::normal).reset();  // may be of another size; the pair holds none
   std::vector<std::string> remarks;
   const AtlasManifest manifest = manifest_of(one, library, remarks);
   const PictureReading reading{std::nullopt, door, {}, {}};
@@ -109,6 +112,7 @@ PicturesKey::PicturesKey(const ProjectMaterial& material) {
   files_.textures = material.textures;
   files_.alpha_mode = material.alpha_mode;
   files_.alpha_cutoff = material.alpha_cutoff;
+  files_.green_down = material.green_down;
   for (const auto& texture : material.textures) {
     std::error_code none;
     if (texture)
@@ -140,6 +144,28 @@ std::optional<Image> light_picture(const ProjectMaterial& material, Channel chan
                                       : occlusion_floats(*source, material.name, door);
 }
 
+Image normal_picture(const ProjectMaterial& material, const PictureDoor& door, int most_side) {
+  const auto& source = material.texture(Channel::normal);
+  if (!source) return {};
+  const Image8 codes = codes_of(load_picture(source->path, door), false);
+  if (codes.channels < 3)
+    throw Error::at(source->path, std::to_string(codes.channels) + " channels", "a normal map of three");
+  const int longest = std::max(codes.width, codes.height);
+  const int step = std::max(1, (longest + most_side - 1) / most_side);
+  Image out((codes.width + step - 1) / step, (codes.height + step - 1) / step, 4, 1);
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      std::array<double, 3> sum{};
+      int count = 0;
+      for (int v = y * step; v < std::min(codes.height, (y + 1) * step); ++v)
+        for (int u = x * step; u < std::min(codes.width, (x + 1) * step); ++u, ++count)
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += 2 * codes.at(u, v)[c] / 255.0 - 1;
+      if (material.green_down) sum[1] = -sum[1];
+      for (std::size_t c = 0; c < 3; ++c) out.at(x, y)[c] = static_cast<float>(sum[c] / count);
+    }
+  return out;
+}
+
 SurfaceTextures surface_textures(const ProjectMaterial& material, const MaterialPair& pair,
                                  const PictureDoor& door, int most_side) {
   const auto emission = light_picture(material, Channel::emission, door),
@@ -152,21 +178,38 @@ SurfaceTextures surface_textures(const ProjectMaterial& material, const Material
   out.has.opacity = is_read(material, Channel::alpha);
   out.has.f0 = is_read(material, Channel::specular);
   out.has.gloss = is_read(material, Channel::gloss);
+  out.normal = normal_picture(material, door, most_side);
+  out.has.normal = out.normal.width > 0;
   if (out.has.diffuse || out.has.opacity) out.body = linear_small(pair.diffuse_alpha, most_side);
   if (out.has.f0 || out.has.gloss) out.gloss = linear_small(pair.specular_gloss, most_side);
   return out;
 }
 
+const Image& channel_image(const SurfaceTextures& textures, Channel channel) {
+  switch (channel) {
+    case Channel::diffuse:
+    case Channel::alpha:
+      return textures.body;
+    case Channel::specular:
+    case Channel::gloss:
+      return textures.gloss;
+    case Channel::normal:
+      return textures.normal;
+    default:
+      return textures.emission;
+  }
+}
+
 Image8 channel_picture(const SurfaceTextures& textures, Channel channel) {
-  const Image& from = channel == Channel::diffuse || channel == Channel::alpha    ? textures.body
-                      : channel == Channel::specular || channel == Channel::gloss ? textures.gloss
-                                                                                  : textures.emission;
+  const Image& from = channel_image(textures, channel);
   Image8 out(from.width, from.height, 3);
   for (int y = 0; y < from.height; ++y)
     for (int x = 0; x < from.width; ++x) {
       const auto in = from.at(x, y);
       for (std::size_t c = 0; c < 3; ++c)
-        out.at(x, y)[c] = is_color(channel) ? srgb_u8(static_cast<double>(in[c])) : to_code(in[3]);
+        out.at(x, y)[c] = is_color(channel)            ? srgb_u8(static_cast<double>(in[c]))
+                          : channel == Channel::normal ? to_code(0.5F * in[c] + 0.5F)
+                                                       : to_code(in[3]);
     }
   return out;
 }

@@ -60,11 +60,17 @@ class KeptPictures {
 /// no texture. Throws Error as they do.
 std::optional<Image> light_picture(const ProjectMaterial& material, Channel channel, const PictureDoor& door);
 
+/// The normal map as components of -1 to 1 in OpenGL's convention, made smaller as below; no texels where there is none.
+Image normal_picture(const ProjectMaterial& material, const PictureDoor& door, int most_side);
+
 /// The textures of a material in linear light for a renderer, made smaller by means over areas until no side is
 /// above `most_side` texels. They hold the channels that have a picture. Throws Error as light_picture().
 ///   pair   of pictures_of()
 SurfaceTextures surface_textures(const ProjectMaterial& material, const MaterialPair& pair,
                                  const PictureDoor& door, int most_side);
+
+/// The texture that holds a channel: a colour in its first three channels, a number in the fourth.
+const Image& channel_image(const SurfaceTextures& textures, Channel channel);
 
 /// One channel as RGB codes to be shown (gloss and alpha as greys).
 Image8 channel_picture(const SurfaceTextures& textures, Channel channel);

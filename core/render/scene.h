@@ -151,10 +151,13 @@ struct View {
 ///   has        the quantities that the textures hold; the others are those of the scene's surface, so that a
 ///              number can change while the textures stay as they are
 ///   emission   factors of the surface's emission and, in the fourth channel, of its occlusion, as in glTF
+///   normal     three components of -1 to 1 in the frame of the surface, x along its tangent and y along its bitangent
+///              (OpenGL's convention); the fourth channel says nothing. Meshes and references are drawn without it
 struct SurfaceTextures {
   /// Which quantities of a surface come from its textures.
   struct Quantities {
-    bool diffuse = true, opacity = true, f0 = true, gloss = true, emission = false, occlusion = false;
+    bool diffuse = true, opacity = true, f0 = true, gloss = true, emission = false, occlusion = false,
+         normal = false;
     /// Whether models take some value from a texture.
     bool values() const { return diffuse || opacity || f0 || gloss; }
   };
@@ -162,6 +165,7 @@ struct SurfaceTextures {
   Image gloss;  // F0 and gloss
   Quantities has = {};
   Image emission = {};
+  Image normal = {};
 };
 
 enum class Shape { sphere, quad };
@@ -224,7 +228,8 @@ struct Scene {
   // These replace what they hold of the surface's diffuse, opacity, f0 and gloss, and multiply its emission and
   // occlusion; null: none.
   std::shared_ptr<const SurfaceTextures> textures;
-  bool mark_zone = false;          // stripes where the luminance of F0 is in the forbidden zone
+  std::array<double, 2> texture_scale{1, 1};  // how often they repeat over the surface along u and v, above 0
+  bool mark_zone = false;                     // stripes where the luminance of F0 is in the forbidden zone
   bool mark_angles = false;        // tints of Hoffman's zones of the angle between normal and viewer
   std::vector<float> mark_energy;  // by quick_albedo(): stripes where it is above 1; empty: no stripes
   LightSetup lights;

@@ -46,7 +46,8 @@ struct Shading {
     needs_positions = s.textures != nullptr;
     f0_luminance = etak::luminance_of(s.surface.f0);
     if (s.lights.hemispheres || e != nullptr) ambient = ambient_table(s, held_by_textures(s));
-    needs_viewers = s.lights.hemispheres.has_value() || e != nullptr || camera.turned();
+    needs_viewers =
+        s.lights.hemispheres.has_value() || e != nullptr || camera.turned() || s.textured().normal;
     const Vec3& viewer = camera.axes()[2];
     const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;
     clear_ball = is_clear_ball(s) && e != nullptr;
@@ -156,8 +157,14 @@ double inside_texture(double at) {
 std::array<double, 2> place_of(const Scene& scene, const Chunk& c, std::size_t i) {
   if (i >= c.count) return {0.5, 0.5};
   if (scene.mesh) return {inside_texture(double(c.uv[0][i])), inside_texture(double(c.uv[1][i]))};
-  return texture_place(scene.shape,
-                       {double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])});
+  std::array<double, 2> out = texture_place(
+      scene.shape, {double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])});
+  if (scene.texture_scale != std::array{1.0, 1.0})
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      out[axis] *= scene.texture_scale[axis];
+      out[axis] -= std::floor(out[axis]);
+    }
+  return out;
 }
 
 void look_up_textures(const Shading& shading, Chunk& c) {
@@ -179,6 +186,31 @@ void look_up_textures(const Shading& shading, Chunk& c) {
     }
     c.texel_opacity[i] = real(body[3]);
     c.texel_gloss[i] = real(gloss[3]);
+  }
+}
+
+// Turns the normals by the texels of a normal map. GLSL: bent_normal() of picture.glsl.
+void bend_normals(const Shading& shading, Chunk& c) {
+  const Image& map = shading.scene.textures->normal;
+  constexpr double least_facing = 0.02;
+  const auto unit = [](const Vec3& d) { return scaled(d, 1 / std::sqrt(etak::dot(d, d))); };
+  for (std::size_t i = 0; i < c.whole_blocks; ++i) {
+    const auto [u, v] = place_of(shading.scene, c, i);
+    const std::array<double, 4> m = texel(map, u, v);
+    const Vec3 n{double(c.normal[0][i]), double(c.normal[1][i]), double(c.normal[2][i])},
+        viewer{double(c.viewer[0][i]), double(c.viewer[1][i]), double(c.viewer[2][i])};
+    const double length = std::hypot(n[0], n[2]);
+    const Vec3 t = length < 1e-6 ? Vec3{1, 0, 0} : Vec3{n[2] / length, 0, -n[0] / length};
+    const Vec3 b = cross(n, t);
+    Vec3 bent{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      bent[axis] = m[0] * t[axis] + m[1] * b[axis] + m[2] * n[axis];
+    bent = unit(bent);
+    if (const double facing = etak::dot(bent, viewer); facing < least_facing) {
+      for (std::size_t axis = 0; axis < 3; ++axis) bent[axis] += (least_facing - facing) * viewer[axis];
+      bent = unit(bent);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) c.normal[axis][i] = real(bent[axis]);
   }
 }
 
@@ -225,6 +257,7 @@ void shade(const Shading& shading, Chunk& c) {
   const std::size_t count = c.whole_blocks;
   const bool textured = shading.textured;
   if (textured) look_up_textures(shading, c);
+  if (scene.textured().normal && !scene.mesh) bend_normals(shading, c);
   build_frames(c, !shading.camera.perspective() && !shading.camera.turned());
   const bool with_specular = shading.specular != nullptr;
   for (std::size_t channel = 0; channel < 3; ++channel) {

@@ -71,7 +71,7 @@ std::vector<std::pair<const char*, const Image*>> samplers_of(const SurfaceTextu
   std::vector<std::pair<const char*, const Image*>> out;
   for (const auto& each :
        {std::pair("surface_body", &textures.body), std::pair("surface_gloss", &textures.gloss),
-        std::pair("surface_emission", &textures.emission)})
+        std::pair("surface_emission", &textures.emission), std::pair("surface_normal", &textures.normal)})
     if (each.second->width > 0) out.emplace_back(each);
   return out;
 }

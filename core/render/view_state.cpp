@@ -44,6 +44,7 @@ void set_side(const ViewSide& side, bool energy_overlay, Scene& scene) {
   scene.specular_values = std::move(fitted.specular_values);
   scene.diffuse_values = std::move(fitted.diffuse_values);
   scene.textures = side.textures;
+  scene.texture_scale = side.texture_scale;
   // The albedo is computed here, so that the CPU and the GPU mark the same pixels.
   if (energy_overlay) scene.mark_energy = quick_albedo(scene, 17);
 }

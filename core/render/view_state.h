@@ -20,6 +20,7 @@ struct ViewSide {
   const Model* diffuse = nullptr;                         // null: none, or `specular` is of kind both
   std::vector<std::pair<std::string, double>> overrides;  // as fit_models() takes them
   std::shared_ptr<const SurfaceTextures> textures;        // null: the surface is the same everywhere
+  std::array<double, 2> texture_scale{1, 1};              // as in struct Scene
   std::string label;
   friend bool operator==(const ViewSide&, const ViewSide&) = default;
 };

@@ -45,6 +45,15 @@ vec3 tangent_of(vec3 n) {
   return length2 < 1e-12 ? vec3(1.0, 0.0, 0.0) : across * inversesqrt(length2);
 }
 
+// The normal that a texel m of a normal map gives, in the frame of n. One that would turn away from the viewer is held at
+// 0.02 of its cosine, so that no light comes through the edge of the object. C++: bend_normals() of shade_picture.h.
+vec3 bent_normal(vec3 n, vec3 v, vec3 m) {
+  vec3 along = tangent_of(n);
+  vec3 bent = normalize(m.x * along + m.y * cross(n, along) + m.z * n);
+  float facing = dot(bent, v);
+  return facing < 0.02 ? normalize(bent + (0.02 - facing) * v) : bent;
+}
+
 // The same as angles() (brdf/geometry.glsl) around the normal n, without a frame: for lobes that know no tangent.
 Angles angles_about(vec3 n, vec3 l, vec3 v) {
   Angles a;

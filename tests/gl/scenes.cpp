@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/gl/scenes.h"
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -192,6 +193,21 @@ std::vector<Variant> variants(const Model& model) {
   });
   changed("occlusion-texture", [](Scene& s) {
     s.textures = textures({false, false, false, false, false, true});
+  });
+  changed("normal-map", [](Scene& s) {
+    SurfaceTextures map = *textures({false, false, false, false, false, false, true});
+    map.normal = Image(4, 3, 4, 1);
+    for (int i = 0; i < 12; ++i) {
+      const double x = 0.4 * std::sin(2.5 * i), y = 0.4 * std::cos(1.5 * i);
+      const std::array<double, 3> n{x, y, std::sqrt(1 - x * x - y * y)};
+      for (std::size_t c = 0; c < 3; ++c) map.normal.at(i % 4, i / 4)[c] = static_cast<float>(n[c]);
+    }
+    s.textures = std::make_shared<const SurfaceTextures>(std::move(map));
+    s.texture_scale = {3, 2};
+  });
+  changed("repeated-textures", [](Scene& s) {
+    s.textures = textures({true, true, true, true, false, true});
+    s.texture_scale = {2.5, 1.5};
   });
   changed("all-textures", [](Scene& s) {
     s.surface.emission = {1, 1, 1};

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QSettings>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -422,6 +423,42 @@ class EditorHands : public QObject {
             QApplication::activeModalWidget() == nullptr);
     QTest::keyClick(&list, Qt::Key_Escape);
     QVERIFY(!window->problems().isVisible());
+  }
+
+  void a_typed_f0_is_asked_for_its_material_which_becomes_the_record() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    show_active(window);
+    ColorField& field = window->inspector().specular();
+    QLineEdit* hexadecimal = nullptr;
+    for (auto* each : field.findChildren<QLineEdit*>())
+      if (each->accessibleName().endsWith(QLatin1String(", hexadecimal"))) hexadecimal = each;
+    QVERIFY(hexadecimal != nullptr);
+    hexadecimal->setFocus();
+    hexadecimal->selectAll();
+    QTest::keyClicks(hexadecimal, QStringLiteral("#ffe49c"));
+    QTest::keyClick(hexadecimal, Qt::Key_Return);
+    QVERIFY(!window->document().material()->measured);
+    auto* ask =
+        named<QToolButton>(field, QStringLiteral("What is this? Which measured materials have this F0"));
+    QVERIFY(ask != nullptr);
+    QTest::keyClick(ask, Qt::Key_Space);
+    const auto menu = [&] {
+      for (QMenu* each : window->findChildren<QMenu*>())
+        if (each->accessibleName() == QLatin1String("What this could be")) return each;
+      return static_cast<QMenu*>(nullptr);
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(menu() != nullptr, 60000);
+    const QList<QAction*> rows = menu()->actions();
+    QVERIFY(rows.size() > 2 && !rows[0]->isEnabled());
+    QVERIFY2(rows[1]->text().startsWith(QLatin1String("Gold")), qPrintable(rows[1]->text()));
+    QCOMPARE(rows[1]->data().toString(), QStringLiteral("gold"));
+    QTest::keyClick(menu(), Qt::Key_Down);
+    QTest::keyClick(menu(), Qt::Key_Return);
+    QTRY_VERIFY(window->document().material()->measured);
+    QCOMPARE(window->document().material()->measured->material, std::string("gold"));
+    window->document().undo_stack().undo();
+    QVERIFY(!window->document().material()->measured);
   }
 
   void what_is_folded_stays_folded_in_the_next_run() {

@@ -16,6 +16,7 @@
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
@@ -402,6 +403,44 @@ class EditorShown : public QObject {
     QVERIFY(window.settle());
     QCOMPARE(go("ETK608"), QStringLiteral("Dataset"));
     QCOMPARE(window->document().current(), 0);
+  }
+
+  void the_texel_under_the_cursor_is_told_and_arrow_keys_move_it() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    QImage two(2, 1, QImage::Format_RGB32);
+    two.setPixelColor(0, 0, QColor(255, 228, 156));  // gold's F0
+    two.setPixelColor(1, 0, QColor(150, 150, 150));
+    const QString file = window.file(QStringLiteral("two_specular.png"));
+    QVERIFY(two.save(file));
+    put_texture(window, Channel::specular, file);
+    show_active(window);
+    window->tabs().setCurrentWidget(&window->texture_view());
+    window->texture_view().show_channel(Channel::specular);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        window->texture_view().textures() != nullptr && !window->texture_view().is_busy(), 60000);
+    auto* sheet = named<QWidget>(window->texture_view(), QStringLiteral("Texture picture"));
+    const auto* texel = named<QLabel>(window->texture_view(), QStringLiteral("Texel under the cursor"));
+    QVERIFY(sheet != nullptr && texel != nullptr);
+    QCOMPARE(texel->text().trimmed(), QString());
+    QTest::keyClick(sheet, Qt::Key_Right);
+    QVERIFY2(texel->text().startsWith(
+                 QLatin1String("texel 1, 0: code 150 150 150 (#969696), linear 0.305 0.305 0.305")) &&
+                 texel->text().contains(QLatin1String("inside the zone")),
+             qPrintable(texel->text()));
+    QTest::keyClick(sheet, Qt::Key_Left);
+    QVERIFY2(texel->text().startsWith(QLatin1String("texel 0, 0: code 255 228 156")) &&
+                 texel->text().contains(QLatin1String("above the zone; nearest Gold")),
+             qPrintable(texel->text()));
+    // The cursor does the same, and leaving takes the text away.
+    const QPoint right = sheet->rect().center() + QPoint(4, 0);
+    QMouseEvent move(QEvent::MouseMove, right, sheet->mapToGlobal(right), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(sheet, &move);
+    QVERIFY2(texel->text().startsWith(QLatin1String("texel 1, 0")), qPrintable(texel->text()));
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(sheet, &leave);
+    QCOMPARE(texel->text().trimmed(), QString());
   }
 };
 

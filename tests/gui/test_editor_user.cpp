@@ -12,6 +12,7 @@
 #include <QProcess>
 
 #include "app/editor/fields/number_field.h"
+#include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/inspector.h"
 #include "core/base/files/file.h"
 #include "core/scene/gltf.h"
@@ -135,7 +136,9 @@ class UserSession : public QObject {
       QVERIFY(out.save(pictures.back()));
     }
     QVERIFY(drop(window->viewport(), pictures));
-    QTRY_VERIFY(window->document().material()->texture(Channel::gloss).has_value());
+    QTRY_VERIFY(window->findChild<DropTable*>() != nullptr && window->findChild<DropTable*>()->isVisible());
+    QTest::keyClick(window->findChild<DropTable*>(), Qt::Key_Return);
+    QTRY_VERIFY(window->document().material()->texture(Channel::smoothness).has_value());
     const QString file = folder.filePath(QStringLiteral("wood.gltf"));
     choose_file(file);
     QVERIFY(click_menu(*window,
@@ -214,7 +217,8 @@ class EditorUser : public QObject {
     QCOMPARE(project.materials[0].name, std::string("Gold"));
     QCOMPARE(project.spectra.size(), std::size_t{1});
     QVERIFY(project.view.compare.on && project.view.compare.pinned.has_value());
-    QVERIFY(project.materials[1].texture(Channel::diffuse) && project.materials[1].texture(Channel::gloss));
+    QVERIFY(project.materials[1].texture(Channel::diffuse) &&
+            project.materials[1].texture(Channel::smoothness));
     QCOMPARE(project.materials[1].occlusion, 0.4);
     QVERIFY(!window->document().is_saved());
     QCOMPARE(window->document().path(), folder.filePath(QStringLiteral("session.json")));

@@ -12,6 +12,7 @@ ViewSide side_of(const Document& document, const ProjectMaterial& m, const std::
   if (out.specular != nullptr && out.specular->kind == ModelKind::combined) out.diffuse = nullptr;
   // The material's values for parameters belong to its own model, not to the one that it is compared with.
   if (model.empty() || model == m.specular_model) out.overrides = m.parameters;
+  out.texture_scale = m.uv_scale;
   out.label = m.name;
   if (out.specular != nullptr) out.label += ", " + std::string(out.specular->title);
   return out;

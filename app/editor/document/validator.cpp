@@ -43,6 +43,12 @@ void Validator::check_all() {
   emit work_changed();
 }
 
+void Validator::check(const QStringList& materials) {
+  for (const QString& each : materials) dirty_.insert(each.toStdString());
+  timer_.start();
+  emit work_changed();
+}
+
 void Validator::drop_gone() {
   std::set<std::string_view> names;
   for (const ProjectMaterial& each : document_.project().materials) names.insert(each.name);

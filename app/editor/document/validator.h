@@ -31,6 +31,7 @@ class Validator : public QObject {
   const std::map<std::string, std::vector<Finding>>& findings() const { return findings_; }
   bool is_idle() const { return dirty_.empty() && !running_ && !timer_.isActive(); }
   void check_all();
+  void check(const QStringList& materials);  // whose pictures have changed
 
  signals:
   void findings_changed();

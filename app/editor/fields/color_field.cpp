@@ -69,7 +69,7 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
     codes_[c]->setSingleStep(1);
     codes_[c]->setRange(0, 255);
   }
-  auto* line = new QHBoxLayout;
+  auto* line = buttons_ = new QHBoxLayout;
   grid->addLayout(line, 2, 1, 1, 4);
   line->setSpacing(4);
   hex_ = new QLineEdit(this);
@@ -89,6 +89,15 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
 
   connect_parts();
   show_all();
+}
+
+void ColorField::offer_question(const QString& tip) {
+  auto* ask = new QToolButton(this);
+  ask->setText("?");
+  ask->setToolTip(tip);
+  ask->setAccessibleName(tip);
+  buttons_->insertWidget(buttons_->indexOf(reset_), ask);
+  connect(ask, &QToolButton::clicked, this, &ColorField::asked);
 }
 
 FineSpinBox* ColorField::add_number(QGridLayout* grid, int row, std::size_t channel, const QString& what,

@@ -7,6 +7,7 @@
 #include "core/color/rgb.h"
 
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QToolButton;
@@ -32,10 +33,13 @@ class ColorField : public QWidget {
   void leave_reset_to_owner() { own_reset_ = false; }
   /// Leaves the place of the badge empty while it is hidden, so that the fields below do not move when it comes.
   void keep_place_of_badge();
+  /// Adds a button that emits asked().
+  void offer_question(const QString& tip);
 
  signals:
   void edited(const etak::LinearRgb& color, int press_id);
   void reset_asked();
+  void asked();
 
  private:
   void take(const LinearRgb& color, int press_id);
@@ -50,6 +54,7 @@ class ColorField : public QWidget {
   std::array<FineSpinBox*, 3> linear_{}, codes_{};
   QLineEdit* hex_ = nullptr;
   QToolButton *swatch_ = nullptr, *dropper_ = nullptr, *reset_ = nullptr;
+  QHBoxLayout* buttons_ = nullptr;
   QWidget* outside_ = nullptr;
   QLabel* badge_ = nullptr;
   bool showing_ = false, own_reset_ = true;

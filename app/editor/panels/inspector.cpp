@@ -3,17 +3,24 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "app/editor/document/files.h"
 #include "app/editor/panels/layers_section.h"
 #include "app/editor/panels/model_section.h"
 #include "app/editor/panels/source_section.h"
 #include "app/editor/panels/texture_section.h"
+#include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text/text.h"
+#include "core/certainty/identify.h"
 #include "core/color/gloss.h"
+#include "core/color/srgb.h"
 #include "core/material/limits.h"
 #include "core/validate/files/project_check.h"
 
@@ -29,7 +36,7 @@ bool measures_diffuse(const std::optional<MeasuredF0>& measured, const MaterialL
 
 // For the fields of numbers that a texture replaces.
 auto has_no_texture(Channel channel) {
-  return [channel](const ProjectMaterial& m) { return !m.texture(channel); };
+  return [channel](const ProjectMaterial& m) { return !gives(m, channel); };
 }
 
 QString lobe_text(const Gloss& gloss) {
@@ -121,6 +128,8 @@ void Inspector::make_numbers() {
     each->leave_reset_to_owner();
     each->keep_place_of_badge();
   }
+  specular_->offer_question(tr("What is this? Which measured materials have this F0"));
+  connect(specular_, &ColorField::asked, this, &Inspector::ask_what_it_is);
   connect(specular_, &ColorField::reset_asked, this,
           [this] { reset_color(*specular_, &ProjectMaterial::specular, tr("specular colour")); });
   connect(diffuse_, &ColorField::reset_asked, this,
@@ -180,11 +189,16 @@ void Inspector::mark_textured(Section& section, QWidget& field, Channel channel)
   QLabel* label = section.label_of(field);
   const QString name = label->text(), tip = label->toolTip();
   fields_.shows({}, {}, [=](const ProjectMaterial& m) {
-    const auto& texture = m.texture(channel);
-    label->setText(texture ? tr("%1: texture").arg(name) : name);
+    QStringList files;
+    for (const Channel each : all_channels)
+      if (m.texture(each) && gives(m, channel) &&
+          (drawn_as(each) == channel || (each == Channel::base_color && channel == Channel::specular)))
+        files << qt_text(m.texture(each)->path);
+    label->setText(files.isEmpty() ? name : tr("%1: texture").arg(name));
     label->setToolTip(
-        texture ? tr("Each texel of %1 stands in the place of this number").arg(qt_text(texture->path))
-                : tip);
+        files.isEmpty()
+            ? tip
+            : tr("Each texel of %1 stands in the place of this number").arg(files.join(QLatin1String(", "))));
   });
 }
 
@@ -193,6 +207,63 @@ void Inspector::edit(const QString& what, int press, const std::function<void(Pr
   const ProjectMaterial before = *document_.material();
   document_.change_material(what, press, change);
   if (before.measured && !document_.material()->measured) emit told(let_go_text(before));
+}
+
+// The answer of `etak identify` to the F0 of the field, as a menu of records that can be used.
+void Inspector::ask_what_it_is() {
+  struct Answer {
+    std::shared_ptr<const Identifier> known;  // whose entries the answer names
+    Identified what;
+    QString failure;
+  };
+  const LinearRgb f0 = specular_->color();
+  in_background(
+      pool_, this,
+      [f0, library = document_.library()] {
+        Answer out;
+        out.failure = failure_of([&] {
+          const AskedColour asked{f0, {}, srgb_decode(srgb_u8(f0)) == f0};
+          check_asked(asked, "F0");
+          out.known = std::make_shared<const Identifier>(*library, F0Solver(F0Options{}),
+                                                         std::vector<std::string>{}, 1);
+          out.what = out.known->identify(asked);
+        });
+        return out;
+      },
+      [this](const Answer& answer) {
+        if (!answer.failure.isEmpty()) return emit told(answer.failure);
+        show_candidates(answer.what);
+      });
+}
+
+void Inspector::show_candidates(const Identified& answer) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setAccessibleName(tr("What this could be"));
+  const auto title = [&] {
+    switch (answer.verdict) {
+      case ColourVerdict::sure:
+        return tr("Most probably:");
+      case ColourVerdict::ambiguous:
+        return tr("It could be:");
+      case ColourVerdict::none:
+        break;
+    }
+    return tr("No measured material has this F0. Near to it:");
+  };
+  menu->addAction(title())->setEnabled(false);
+  constexpr std::size_t most_shown = 8;
+  for (std::size_t i = 0; i < std::min(most_shown, answer.candidates.size()); ++i) {
+    const PossibleMaterial& each = answer.candidates[i];
+    const QString id = qt_text(each.entry->material.id);
+    QString text = tr("%1   %2 %   \u0394E %3")
+                       .arg(qt_text(each.entry->material.name), qt_text(fixed(100 * each.p, 0)),
+                            qt_text(number(each.delta_e, 2)));
+    QAction* use = menu->addAction(text.replace('&', "&&"), this, [this, id] { source_->use(id); });
+    use->setEnabled(!preview_);
+    use->setData(id);
+  }
+  menu->popup(specular_->mapToGlobal(QPoint(0, specular_->height())));
 }
 
 // The gloss of the record that the material has or had, which is a convention; that of a new material without one.
@@ -261,7 +332,7 @@ void Inspector::go_to(const std::string& rule) {
   if (rule == "ETK206") return show(model_, &model_->first_field());
   const std::optional<Channel> channel = field_of(rule);
   const auto textured = std::find_if(all_channels.begin(), all_channels.end(), [&](Channel each) {
-    return (!channel || each == *channel) && m->texture(each);
+    return (!channel || drawn_as(each) == *channel) && m->texture(each);
   });
   if (textured != all_channels.end()) return show(textures_, &textures_->line_of(*textured));
   QWidget* field = channel == Channel::diffuse ? static_cast<QWidget*>(diffuse_)

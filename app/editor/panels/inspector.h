@@ -6,8 +6,13 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/panels/fields_of.h"
+#include "app/viewport/background.h"
 
 class QLineEdit;
+
+namespace etak {
+struct Identified;
+}
 
 namespace etak::editor {
 
@@ -47,6 +52,8 @@ class Inspector : public PanelScroll {
   void mark_textured(Section& section, QWidget& field, Channel channel);
   void edit(const QString& what, int press, const std::function<void(ProjectMaterial&)>& change);
   Gloss standard_gloss() const;
+  void ask_what_it_is();
+  void show_candidates(const Identified& answer);
   void reset_gloss(const QString& what);
   void reset_color(ColorField& field, LinearRgb ProjectMaterial::*member, const QString& what);
 
@@ -62,6 +69,7 @@ class Inspector : public PanelScroll {
   Section *numbers_ = nullptr, *rest_ = nullptr;
   ModelSection* model_;
   TextureSection* textures_;
+  Worker pool_;
 };
 
 }  // namespace etak::editor

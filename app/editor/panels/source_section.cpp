@@ -170,6 +170,11 @@ void SourceSection::show_material(const ProjectMaterial* m, bool editable) {
   if (on) tell(*m);
 }
 
+void SourceSection::use(const QString& id) {
+  material_->lineEdit()->setText(id);
+  take();
+}
+
 void SourceSection::unfold(bool on) {
   unfold_->setChecked(on);
 }

@@ -25,6 +25,8 @@ class SourceSection : public Section {
   void show_material(const ProjectMaterial* material, bool editable);
   void set_library();
   void unfold(bool on);
+  /// Takes a record as a user who types its id.
+  void use(const QString& id);
   bool is_unfolded() const;
   QWidget& first_field() { return *dataset_; }
 

@@ -6,8 +6,10 @@
 #include <QFileInfo>
 #include <QMimeData>
 
+#include "app/editor/document/dropped_pictures.h"
 #include "app/editor/document/files.h"
 #include "app/editor/fields/add_button.h"
+#include "app/editor/fields/number_field.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/fields/press_id.h"
 #include "app/viewport/qt_text.h"
@@ -18,7 +20,7 @@ namespace {
 
 QString title_of(Channel channel) {
   if (channel == Channel::alpha) return QObject::tr("Alpha opacity");
-  QString out = qt_text(name(channel));
+  QString out = text_of(channel);
   out[0] = out[0].toUpper();
   return out;
 }
@@ -51,7 +53,8 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
     box->setProperty("channel", static_cast<int>(channel));
     box->setAccessibleName(tr("%1 texture").arg(title));
     add(title, box,
-        channel == Channel::emission || channel == Channel::occlusion
+        channel == Channel::normal ? tr("A normal map: where the surface leans, texel by texel")
+        : channel == Channel::emission || channel == Channel::occlusion
             ? tr("A picture that the number above multiplies, where the material is drawn and exported")
             : tr("A picture in the place of the number, where the material is packed and drawn"));
     connect(row.path, &QLineEdit::editingFinished, this,
@@ -64,8 +67,27 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
       if (!file.isEmpty()) emit dropped(channel, file);
     });
     connect(row.clear, &QToolButton::clicked, this, [this, channel] { set(channel, {}); });
-    connect(row.look, &QToolButton::clicked, this, [this, channel] { emit look_asked(channel); });
+    connect(row.look, &QToolButton::clicked, this, [this, channel] { emit look_asked(drawn_as(channel)); });
   }
+  make_scale();
+}
+
+void TextureSection::make_scale() {
+  scale_ = new QWidget(this);
+  scale_->setAccessibleName(tr("UV scale"));
+  auto* line = new QHBoxLayout(scale_);
+  line->setContentsMargins(0, 0, 0, 0);
+  for (const std::size_t axis : {0U, 1U}) {
+    auto* box = scales_[axis] = new FineSpinBox(scale_);
+    box->setRange(least_uv_scale, most_uv_scale);
+    box->setAccessibleName(axis == 0 ? tr("UV scale, U") : tr("UV scale, V"));
+    line->addWidget(box);
+    connect(box, &FineSpinBox::edited, this, [this, axis](double value, int press) {
+      document_.change_material(tr("UV scale"), press, [&](ProjectMaterial& m) { m.uv_scale[axis] = value; });
+    });
+  }
+  add(tr("UV scale"), scale_,
+      tr("How often the pictures repeat over the object along U and V, in the viewport alone"));
 }
 
 QWidget& TextureSection::line_of(Channel channel) {
@@ -115,6 +137,8 @@ void TextureSection::set(Channel channel, const QString& path) {
 }
 
 void TextureSection::show_material(const ProjectMaterial* m) {
+  for (const std::size_t axis : {0U, 1U}) scales_[axis]->show_value(m != nullptr ? m->uv_scale[axis] : 1);
+  rows().setRowVisible(scale_, m != nullptr && m->textures != ProjectMaterial{}.textures);
   for (const Channel channel : all_channels) {
     Row& row = rows_[static_cast<std::size_t>(channel)];
     const bool has = m != nullptr && m->texture(channel).has_value();
@@ -123,6 +147,8 @@ void TextureSection::show_material(const ProjectMaterial* m) {
     row.path->setToolTip(path);
     row.clear->setEnabled(has);
     row.look->setEnabled(has);
+    // Sets bring these, and a material has either them or the pair's.
+    if (channel > Channel::occlusion) rows().setRowVisible(row.path->parentWidget(), has);
   }
 }
 

@@ -8,6 +8,8 @@ class QToolButton;
 
 namespace etak::editor {
 
+class FineSpinBox;
+
 class PathEdit;
 
 /// A picture file for each of the four channels. The user chooses it in a dialog, drops it on the row, or
@@ -31,6 +33,7 @@ class TextureSection : public Section {
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
+  void make_scale();
   void set(Channel channel, const QString& path);
   void take_drop(Channel channel, const QStringList& files);
   struct Row {
@@ -39,6 +42,8 @@ class TextureSection : public Section {
   };
   Document& document_;
   std::array<Row, all_channels.size()> rows_;
+  QWidget* scale_ = nullptr;
+  std::array<FineSpinBox*, 2> scales_{};
 };
 
 }  // namespace etak::editor

@@ -7,15 +7,18 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <list>
 #include <optional>
 
 #include "app/editor/document/pictures.h"
 #include "app/editor/panels/sections.h"
+#include "app/editor/panels/texel_text.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"
 #include "core/color/srgb.h"
+#include "core/judge/nearest.h"
 #include "core/project/project_pictures.h"
 
 namespace etak::editor {
@@ -25,6 +28,11 @@ constexpr int most_side = 1024;  // larger pictures are reduced to this side
 constexpr std::size_t most_texels = std::size_t{128} << 20;
 
 using Pictures = std::array<QImage, all_channels.size()>;
+
+// What a renderer gets of a material stands first among the channels.
+bool is_shown(Channel channel) {
+  return channel <= Channel::occlusion || channel == Channel::normal;
+}
 
 struct Loaded {
   Pictures pictures;  // one texel for channels that have none
@@ -58,21 +66,24 @@ void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& 
   const auto textures =
       std::make_shared<const SurfaceTextures>(surface_textures(m, pair, picture_door(), most_side));
   const bool packed = has_packed_textures(m);
+  const Image& alone = textures->emission.width > 0 ? textures->emission : textures->normal;
   read.size = QObject::tr("%1 x %2 texels")
-                  .arg(packed ? pair.diffuse_alpha.width : textures->emission.width)
-                  .arg(packed ? pair.diffuse_alpha.height : textures->emission.height);
+                  .arg(packed ? pair.diffuse_alpha.width : alone.width)
+                  .arg(packed ? pair.diffuse_alpha.height : alone.height);
   for (const Channel channel : all_channels) {
-    if (!m.texture(channel)) continue;
+    if (!is_shown(channel) || !gives(m, channel)) continue;
     QImage& picture = read.pictures[static_cast<std::size_t>(channel)];
     picture = qt_image(channel_picture(*textures, channel));
     read.shown_size = read.shown_size.expandedTo(picture.size());
   }
   read.textures = textures;
+  (void)KnownMaterials::builtin().f0();  // computed here, so that the first texel is told at once
 }
 
 // The codes of a channel without a picture, as they would be packed.
 QColor packed_color(const ProjectMaterial& m, const MaterialPair& numbers, Channel channel) {
   if (channel == Channel::emission) return qt_color(srgb_u8(m.emission));
+  if (channel == Channel::normal) return {128, 128, 255};
   if (channel == Channel::occlusion) {
     const int grey = to_code(static_cast<float>(m.occlusion));
     return {grey, grey, grey};
@@ -108,7 +119,7 @@ Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Kep
     plain.textures = {};
     const MaterialPair numbers = pictures_of(plain, library, PictureDoor());
     for (const Channel channel : all_channels)
-      if (!m.texture(channel)) {
+      if (is_shown(channel) && !gives(m, channel)) {
         QImage& picture = out.pictures[static_cast<std::size_t>(channel)];
         picture = QImage(1, 1, QImage::Format_RGB888);
         picture.fill(packed_color(m, numbers, channel));
@@ -127,8 +138,11 @@ class TextureView::Sheet : public QWidget {
     setAccessibleName(tr("Texture picture"));
     setFocusPolicy(Qt::StrongFocus);
     setMinimumHeight(60);
+    setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   }
+  std::function<void(const QPoint& texel)> marked;  // called with a texel, or -1, -1
+  const QPoint& texel() const { return marked_; }
   //   size   in which a picture of one texel is shown, too
   void set_picture(const QImage& picture, const QSize& size) {
     picture_ = picture;
@@ -141,13 +155,28 @@ class TextureView::Sheet : public QWidget {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(60, 60, 60));
     if (picture_.isNull()) return;
-    const double fit = std::min(double(width()) / size_.width(), double(height()) / size_.height());
-    const QSizeF size = QSizeF(size_) * fit * zoom_;
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, fit * zoom_ < 2);
-    painter.drawImage(
-        QRectF(QPointF((width() - size.width()) / 2, (height() - size.height()) / 2) + shift_, size),
-        picture_);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_rect().width() < 2 * size_.width());
+    painter.drawImage(shown_rect(), picture_);
+    if (!hasFocus() || marked_.x() < 0) return;
+    const QRectF all = shown_rect();
+    const double w = all.width() / picture_.width(), h = all.height() / picture_.height();
+    painter.setPen(QPen(Qt::white, 1));
+    painter.drawRect(
+        QRectF(all.x() + marked_.x() * w, all.y() + marked_.y() * h, std::max(w, 3.0), std::max(h, 3.0)));
   }
+  void keyPressEvent(QKeyEvent* event) override {
+    const int x = event->key() == Qt::Key_Right  ? 1
+                  : event->key() == Qt::Key_Left ? -1
+                                                 : 0,
+              y = event->key() == Qt::Key_Down ? 1
+                  : event->key() == Qt::Key_Up ? -1
+                                               : 0;
+    if (picture_.isNull() || (x == 0 && y == 0)) return event->ignore();
+    const QPoint from =
+        marked_.x() < 0 ? QPoint(picture_.width() / 2, picture_.height() / 2) : marked_ + QPoint(x, y);
+    mark({std::clamp(from.x(), 0, picture_.width() - 1), std::clamp(from.y(), 0, picture_.height() - 1)});
+  }
+  void leaveEvent(QEvent*) override { mark({-1, -1}); }
   void wheelEvent(QWheelEvent* event) override {
     zoom_ = std::clamp(zoom_ * std::pow(1.2, event->angleDelta().y() / 120.0), 0.2, 64.0);
     update();
@@ -155,6 +184,7 @@ class TextureView::Sheet : public QWidget {
   }
   void mousePressEvent(QMouseEvent* event) override { last_ = event->position(); }
   void mouseMoveEvent(QMouseEvent* event) override {
+    if (event->buttons() == Qt::NoButton) return mark(texel_at(event->position()));
     shift_ += event->position() - last_;
     last_ = event->position();
     update();
@@ -166,6 +196,25 @@ class TextureView::Sheet : public QWidget {
   }
 
  private:
+  // Where the whole picture is drawn.
+  QRectF shown_rect() const {
+    const double fit = std::min(double(width()) / size_.width(), double(height()) / size_.height());
+    const QSizeF size = QSizeF(size_) * fit * zoom_;
+    return {QPointF((width() - size.width()) / 2, (height() - size.height()) / 2) + shift_, size};
+  }
+  QPoint texel_at(const QPointF& position) const {
+    const QRectF all = shown_rect();
+    if (picture_.isNull() || !all.contains(position)) return {-1, -1};
+    return {static_cast<int>((position.x() - all.x()) / all.width() * picture_.width()),
+            static_cast<int>((position.y() - all.y()) / all.height() * picture_.height())};
+  }
+  void mark(const QPoint& texel) {
+    marked_ = texel;
+    update();
+    if (marked) marked(texel);
+  }
+
+  QPoint marked_{-1, -1};
   QImage picture_;
   QSize size_;
   double zoom_ = 1;
@@ -177,15 +226,20 @@ TextureView::TextureView(Document& document, QWidget* parent)
       document_(document),
       channel_(new QuietComboBox(tr("Texture channel"), this)),
       summary_(quiet_label(tr("About the textures"), this)),
+      texel_(quiet_label(tr("Texel under the cursor"), this)),
       sheet_(new Sheet(this)) {
   setAccessibleName(tr("Textures"));
   auto* column = panel_column(this, 6);
   auto* row = new QHBoxLayout;
-  for (const Channel each : all_channels) channel_->addItem(qt_text(name(each)));
+  for (const Channel each : all_channels)
+    if (is_shown(each)) channel_->addItem(qt_text(name(each)), static_cast<int>(each));
   row->addWidget(channel_);
   row->addWidget(summary_, 1);
   column->addLayout(row);
   column->addWidget(sheet_, 1);
+  column->addWidget(texel_);
+  texel_->setText(QString(QChar::Space));  // keeps its line
+  sheet_->marked = [this](const QPoint&) { show_texel(); };
   connect(channel_, &QComboBox::currentIndexChanged, this, &TextureView::show_picture);
   connect(&document, &Document::current_changed, this, &TextureView::load);
   connect(&document, &Document::replaced, this, [this] {
@@ -201,7 +255,12 @@ QString TextureView::summary() const {
 }
 
 void TextureView::show_channel(Channel channel) {
-  channel_->setCurrentIndex(static_cast<int>(channel));
+  channel_->setCurrentIndex(channel_->findData(static_cast<int>(drawn_as(channel))));
+}
+
+void TextureView::read_again() {
+  loaded_.reset();
+  load();
 }
 
 // The pictures of the material before are not shown with the numbers of this one. The viewport keeps its frame until
@@ -217,6 +276,14 @@ void TextureView::wait_for(const ProjectMaterial& material) {
   summary_->setText(what);
   show_picture();
   emit reading(what);
+}
+
+void TextureView::show_texel() {
+  const auto channel = static_cast<Channel>(channel_->currentData().toInt());
+  const ProjectMaterial* m = document_.material();
+  const bool has = textures_ != nullptr && m != nullptr && gives(*m, channel);
+  const QString text = has ? texel_text(*textures_, channel, sheet_->texel()) : QString();
+  texel_->setText(text.isEmpty() ? QString(QChar::Space) : text);
 }
 
 void TextureView::load() {
@@ -240,6 +307,7 @@ void TextureView::load() {
   key.specular_model.clear();
   key.diffuse_model.clear();
   key.parameters.clear();
+  key.uv_scale = {1, 1};
   if (loaded_ == key) return;
   loaded_ = key;
   if (!kept_) kept_ = std::make_shared<PicturesKept>();
@@ -265,8 +333,8 @@ void TextureView::load() {
 }
 
 void TextureView::show_picture() {
-  sheet_->set_picture(pictures_[static_cast<std::size_t>(std::max(0, channel_->currentIndex()))],
-                      shown_size_);
+  sheet_->set_picture(pictures_[static_cast<std::size_t>(channel_->currentData().toInt())], shown_size_);
+  show_texel();
 }
 
 }  // namespace etak::editor

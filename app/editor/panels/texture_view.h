@@ -14,13 +14,16 @@ namespace etak::editor {
 class QuietComboBox;
 
 /// A flat picture of one channel of the material's textures. The wheel zooms, a drag moves the picture, a
-/// double click fits it into the widget.
+/// double click fits it into the widget. A line tells what the texel under the cursor holds, or the one that the arrow keys
+/// have gone to.
 class TextureView : public QWidget {
   Q_OBJECT
 
  public:
   explicit TextureView(Document& document, QWidget* parent = nullptr);
   void show_channel(Channel channel);
+  /// Reads the pictures whose files have changed. The old ones are shown until then.
+  void read_again();
   /// The textures for the viewport; null where there are none. textures_changed() is emitted when they are
   /// read.
   const std::shared_ptr<const SurfaceTextures>& textures() const { return textures_; }
@@ -42,10 +45,11 @@ class TextureView : public QWidget {
   void load();
   void wait_for(const ProjectMaterial& material);
   void show_picture();
+  void show_texel();
 
   Document& document_;
   QuietComboBox* channel_;
-  QLabel* summary_;
+  QLabel *summary_, *texel_;
   Sheet* sheet_;
   Worker pool_;
   std::optional<ProjectMaterial> loaded_;

@@ -75,8 +75,12 @@ PlaneSource grey_plane(const RolePlace& at, const TextureSource& source,
   return out;
 }
 
+GlossForm gloss_form(const ManifestMaterial& m, const Resolving& r) {
+  return m.roughness ? GlossForm::roughness : m.gloss_form.value_or(r.manifest.gloss);
+}
+
 PlaneSource gloss_plane(const ManifestMaterial& m, const Resolving& r) {
-  const GlossForm from = m.roughness ? GlossForm::roughness : r.manifest.gloss, to = r.gloss;
+  const GlossForm from = gloss_form(m, r), to = r.gloss;
   std::shared_ptr<CodeCurve> curve;
   if (from != to) {
     curve = std::make_shared<CodeCurve>();
@@ -308,6 +312,7 @@ PackInput input_of(const ManifestMaterial& m, const Resolving& r) {
   set_size(m, metal, r.reading.door, in);
   if (metal) set_metallic(*metal, in);
   set_facts(in);
+  if (in.grey[b].curve) in.facts.source += name(gloss_form(m, r));
   return in;
 }
 

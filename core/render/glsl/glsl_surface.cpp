@@ -82,8 +82,8 @@ void GlslSurface::declare_textures() {
   std::string held;
   for (const auto& [is_held, quantity] :
        {std::pair(has.diffuse, "diffuse"), std::pair(has.opacity, "opacity"), std::pair(has.f0, "F0"),
-        std::pair(has.gloss, "gloss"), std::pair(emission, "emission"),
-        std::pair(has.occlusion, "occlusion")})
+        std::pair(has.gloss, "gloss"), std::pair(emission, "emission"), std::pair(has.occlusion, "occlusion"),
+        std::pair(has.normal, "normal")})
     if (is_held) held += (held.empty() ? "" : ", ") + std::string(quantity);
   if (held.empty()) {
     if (scene_.view) glue_.leave_out("textures", "the surface is the same everywhere");
@@ -95,6 +95,10 @@ void GlslSurface::declare_textures() {
     texel_of("gloss", has.f0, surface.f0, has.gloss, surface.gloss);
   }
   if (emission || has.occlusion) texel_of("emission", true, {}, true, 0);
+  if (has.normal && !scene_.mesh) {
+    glue_.declare("sampler2D", "surface_normal");
+    texels_ += "    n = bent_normal(n, v, texture(surface_normal, texel_at).xyz);\n";
+  }
   glue_.use("textures", held);
 }
 

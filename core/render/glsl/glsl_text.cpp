@@ -78,6 +78,10 @@ class SceneText {
     camera_text(glue_, scene_, camera_, backdrop_apart_);
     if (!surface_.texels().empty()) {
       glue_.line(sphere ? "    vec2 texel_at = sphere_texel(p);" : "    vec2 texel_at = square_texel(p);");
+      if (scene_.texture_scale != std::array{1.0, 1.0}) {
+        glue_.uniform("texture_scale", scene_.texture_scale[0], scene_.texture_scale[1]);
+        glue_.line("    texel_at = fract(texel_at * texture_scale);");
+      }
       glue_.line(surface_.texels());
     }
     if (surface_.fetches()) glue_.line("    fetch(p.xy);");

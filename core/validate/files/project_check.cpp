@@ -35,7 +35,7 @@ bool black_is_right(const ProjectMaterial& material, const MaterialLibrary& libr
 
 // Whether the F0 of a material is that of its record: not of a texture, nor beside a measured body.
 bool takes_measured_f0(const ProjectMaterial& material, const MaterialLibrary& library) {
-  if (!material.measured || material.texture(Channel::specular)) return false;
+  if (!material.measured || gives(material, Channel::specular)) return false;
   const auto record = library.find(material.measured->material);
   return record && gives_f0(record->material_class);
 }

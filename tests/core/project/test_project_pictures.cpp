@@ -160,3 +160,66 @@ TEST_CASE(
   CHECK(double{occlusion_floats({folder.file("grey.png"), "", ""}, "m", picture_door()).values[0]} ==
         Approx(188 / 255.0));
 }
+
+TEST_CASE("a metal-rough set comes out as diffuse, F0 and gloss, by glTF's meaning of its texels") {
+  const TempFolder folder;
+  ProjectMaterial m;
+  m.name = "worn";
+  m.diffuse = {0.9, 0.1, 0.1};  // numbers that the set replaces
+  Image8 base(2, 1, 3), packed(2, 1, 3);
+  base.values = {200, 100, 50, 255, 255, 255};
+  packed.values = {255, 128, 0, 0, 64, 255};  // occlusion, roughness, metallic
+  save_png(folder.file("base.png"), base);
+  save_png(folder.file("orm.png"), packed);
+  set_texture(m, Channel::diffuse, ImageSource{folder.file("base.png"), "", ""});
+  set_texture(m, Channel::base_color, ImageSource{folder.file("base.png"), "", ""});
+  CHECK(!m.texture(Channel::diffuse));  // a base colour takes its place
+  set_texture(m, Channel::metallic, ImageSource{folder.file("orm.png"), "b", ""});
+  set_texture(m, Channel::roughness, ImageSource{folder.file("orm.png"), "g", ""});
+  set_texture(m, Channel::occlusion, ImageSource{folder.file("orm.png"), "r", ""});
+  for (const Channel each : {Channel::diffuse, Channel::specular, Channel::gloss}) CHECK(gives(m, each));
+  const MaterialPair pair = pictures_of(m, built_in_library(), picture_door());
+  const auto linear = [](double code) {
+    return code <= 0.04045 * 255 ? code / 255 / 12.92 : std::pow((code / 255 + 0.055) / 1.055, 2.4);
+  };
+  const auto code = [](double v) {
+    return std::lround(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055));
+  };
+  const auto gloss = [](double roughness) {
+    return std::lround(255 * std::clamp(std::log2(2 / std::pow(roughness, 4) - 2) / 12, 0.0, 1.0));
+  };
+  // The first texel is a dielectric, the second a white metal.
+  for (int c = 0; c < 3; ++c) {
+    CHECK(pair.diffuse_alpha.at(0, 0)[static_cast<std::size_t>(c)] ==
+          base.values[static_cast<std::size_t>(c)]);
+    CHECK(pair.specular_gloss.at(0, 0)[static_cast<std::size_t>(c)] == code(0.04));
+    CHECK(pair.diffuse_alpha.at(1, 0)[static_cast<std::size_t>(c)] == 0);
+    CHECK(pair.specular_gloss.at(1, 0)[static_cast<std::size_t>(c)] == code(linear(255)));
+  }
+  CHECK(pair.specular_gloss.at(0, 0)[3] == gloss(128 / 255.0));
+  CHECK(pair.specular_gloss.at(1, 0)[3] == gloss(64 / 255.0));
+  // Smoothness is what is left of roughness.
+  ProjectMaterial smooth = m;
+  set_texture(smooth, Channel::smoothness, ImageSource{folder.file("orm.png"), "g", ""});
+  CHECK(!smooth.texture(Channel::roughness));
+  CHECK(pictures_of(smooth, built_in_library(), picture_door()).specular_gloss.at(0, 0)[3] ==
+        gloss(127 / 255.0));
+  // The project keeps all of it, and what the editor draws holds the occlusion of the same file.
+  m.green_down = true;
+  m.uv_scale = {4, 2.5};
+  m.texture(Channel::normal) = ImageSource{folder.file("base.png"), "", ""};
+  Project project;
+  project.materials = {m};
+  const Project back = parse_project(format_project(project, ""), "p.json");
+  CHECK(back.materials[0] == m);
+  const SurfaceTextures seen = surface_textures(m, pair, picture_door(), 16);
+  CHECK((seen.has.diffuse && seen.has.f0 && seen.has.gloss && seen.has.occlusion));
+  CHECK(channel_picture(seen, Channel::occlusion).at(1, 0)[0] == 0);
+  // DirectX's green points down.
+  CHECK(seen.has.normal);
+  CHECK(double{seen.normal.at(0, 0)[0]} == Approx(200 / 127.5 - 1));
+  CHECK(double{seen.normal.at(0, 0)[1]} == Approx(1 - 100 / 127.5));
+  std::string both = format_project(project, "");
+  both.replace(both.find("\"occlusion\""), 11, "\"gloss\"");
+  CHECK_THROWS_WITH(parse_project(both, "p.json"), Catch::Contains("both \"gloss\" and \"roughness\""));
+}

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "core/light/studio.h"
 #include "core/render/cpu_renderer.h"
@@ -107,6 +108,78 @@ TEST_CASE("emission and occlusion of two sizes become one texture of the larger 
   CHECK(emission_texture(nullptr, nullptr).width == 0);
   CHECK(test::error_of([&] { (void)emission_texture(&occlusion, nullptr); }) ==
         "texture: 1 channels; expected three");
+}
+
+// A quad of white paper under one light from straight in front, with a normal map of one normal.
+double brightness_of_quad(const std::vector<float>& normal, const std::array<double, 2>& scale = {1, 1}) {
+  Scene scene = lit_scene("ggx-schlick");
+  scene.shape = Shape::quad;
+  scene.specular = nullptr;
+  scene.specular_values.clear();
+  scene.lights = {};
+  Light light;
+  light.kind = LightKind::directional;
+  light.direction = {0, 0, -1};
+  scene.lights.lights = {light};
+  scene.transfer = Transfer::linear;
+  SurfaceTextures textures;
+  textures.has = {false, false, false, false, false, false, true};
+  textures.normal = filled(1, 1, normal);
+  scene.textures = std::make_shared<const SurfaceTextures>(std::move(textures));
+  scene.texture_scale = scale;
+  Image out;
+  render_cpu(scene, nullptr, 1, Precision::f64, out);
+  return double{out.at(20, 20)[0]};
+}
+
+TEST_CASE(
+    "a normal map turns the surface: under light from in front it is as dark as the cosine of its angle") {
+  const double flat = brightness_of_quad({0, 0, 1, 1});
+  REQUIRE(flat > 0.01);
+  for (const double degrees : {20.0, 45.0, 60.0})
+    for (const bool along_x : {true, false}) {
+      const double a = degrees * std::numbers::pi / 180;
+      const auto s = static_cast<float>(std::sin(a)), c = static_cast<float>(std::cos(a));
+      const double bent =
+          brightness_of_quad(along_x ? std::vector<float>{s, 0, c, 1} : std::vector<float>{0, -s, c, 1});
+      CHECK(bent / flat == Approx(std::cos(a)).epsilon(1e-4));
+    }
+  // A texel that looks away is held at a small cosine, where the surface is dark and no light comes from behind.
+  CHECK(brightness_of_quad({1, 0, -0.5F, 1}) / flat < 0.05);
+}
+
+TEST_CASE("y of a normal map points up, and textures that repeat lie in the quad as often as they say") {
+  Scene scene = lit_scene("ggx-schlick");
+  scene.shape = Shape::quad;
+  scene.specular = nullptr;
+  scene.specular_values.clear();
+  scene.lights = {};
+  Light light;
+  light.kind = LightKind::directional;
+  light.direction = {0, -0.8, -0.6};  // from above
+  scene.lights.lights = {light};
+  SurfaceTextures textures;
+  textures.has = {false, false, false, false, false, false, true};
+  textures.normal = Image(2, 1, 4, 1);
+  for (const int x : {0, 1}) {
+    textures.normal.at(x, 0)[0] = 0;
+    textures.normal.at(x, 0)[1] = x == 0 ? 0.6F : -0.6F;
+    textures.normal.at(x, 0)[2] = 0.8F;
+  }
+  scene.textures = std::make_shared<const SurfaceTextures>(std::move(textures));
+  const auto row = [&](double repeats) {
+    scene.texture_scale = {repeats, 1};
+    Image out;
+    render_cpu(scene, nullptr, 1, Precision::f64, out);
+    const std::array columns{5, 14, 25, 34};
+    float most = 0;
+    for (const int x : columns) most = std::max(most, out.at(x, 20)[1]);
+    std::string bright;
+    for (const int x : columns) bright += out.at(x, 20)[1] > most / 2 ? '#' : '.';
+    return bright;
+  };
+  CHECK(row(1) == "##..");  // leaning up on the left, which the light from above meets
+  CHECK(row(2) == "#.#.");
 }
 
 TEST_CASE("a scene has the samplers of the textures that it has, and no others") {
