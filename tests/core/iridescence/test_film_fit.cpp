@@ -6,19 +6,14 @@
 
 #include "core/base/error.h"
 #include "core/iridescence/parameters.h"
-#include "core/material/library.h"
 #include "core/material/stack.h"
+#include "tests/core/material/library_support.h"
 #include "tests/support.h"
 
 using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-const MaterialLibrary& library() {
-  static const MaterialLibrary all = MaterialLibrary::builtin();
-  return all;
-}
 
 Stack stack_of(const std::string& text) {
   const Material material = stack_material(text, [](std::string_view name, const std::string& place) {
