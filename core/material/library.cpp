@@ -12,6 +12,7 @@
 #include "core/base/files/file.h"
 #include "core/base/system.h"
 #include "core/base/text/text.h"
+#include "core/material/alloy.h"
 #include "core/material/embedded/blob.h"
 #include "core/material/embedded/library_words.h"
 #include "core/material/json.h"
@@ -68,6 +69,11 @@ MaterialLibrary MaterialLibrary::builtin() {
         library.entries_.emplace_back(entry_of(std::move(e.id), std::move(e.name), std::move(e.aliases)));
     entry.blob_offset = e.offset;
   }
+  for (BlobEntry& e : index.series) {
+    Entry& entry =
+        library.series_.emplace_back(entry_of(std::move(e.id), std::move(e.name), std::move(e.aliases)));
+    entry.blob_offset = e.offset;
+  }
   library.unmeasured_ = std::move(index.unmeasured);
   return library;
 }
@@ -118,17 +124,21 @@ void MaterialLibrary::add(Material material) {
 }
 
 std::optional<FoundName> MaterialLibrary::look_up(std::string_view name) const {
+  return look_up(entries_, name);
+}
+
+std::optional<FoundName> MaterialLibrary::look_up(const std::vector<Entry>& entries, std::string_view name) {
   const std::string key = folded_name(name);
   if (key.empty()) return std::nullopt;
   std::optional<FoundName> best;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto offer = [&](NameKind kind) {
       if (!best || kind < best->kind) best = FoundName{i, kind};
     };
-    const std::vector<std::string>& keys = entries_[i].keys;
+    const std::vector<std::string>& keys = entries[i].keys;
     if (const auto at = std::find(keys.begin(), keys.end(), key); at != keys.end())
       offer(static_cast<NameKind>(std::min<std::ptrdiff_t>(at - keys.begin(), 2)));
-    for (const std::string& formula : entries_[i].formulas)
+    for (const std::string& formula : entries[i].formulas)
       if (formula == name) offer(NameKind::formula);
     if (best && best->kind == NameKind::id) break;
   }
@@ -138,7 +148,7 @@ std::optional<FoundName> MaterialLibrary::look_up(std::string_view name) const {
 std::optional<Material> MaterialLibrary::find(std::string_view name) const {
   if (is_stack_text(name)) return stack_material(name, part_of(*this));
   const auto found = look_up(name);
-  if (!found) return std::nullopt;
+  if (!found) return alloy_of(name);
   Material out = at(found->index);
   out.body = alias_note(out.bodies, name);
   return out;
@@ -184,8 +194,24 @@ std::optional<LibraryAnswer> MaterialLibrary::answer(std::string_view name) cons
     out.material.body = alias_note(out.material.bodies, name);
     return out;
   }
+  if (auto mixed = alloy_of(name)) {
+    const std::string note = mixed->preferred_dataset().sample;
+    return LibraryAnswer{std::move(*mixed), NameKind::id, note};
+  }
   if (unmeasured_word(name) != nullptr) return std::nullopt;
   return base_of(name).answer;
+}
+
+std::optional<Material> MaterialLibrary::alloy_of(std::string_view text) const {
+  const auto asked = read_alloy(text);
+  if (!asked) return std::nullopt;
+  // A folder's series goes before one of etak's.
+  if (const auto own = look_up(asked->series))
+    if (const Material material = as_filed(own->index); is_series(material))
+      return alloy(material, asked->fraction, text);
+  const auto found = look_up(series_, asked->series);
+  if (!found) return std::nullopt;
+  return alloy(decode_material(builtin_blob(), series_[found->index].blob_offset), asked->fraction, text);
 }
 
 Material MaterialLibrary::at(std::size_t index) const {
@@ -255,6 +281,11 @@ const Unmeasured* MaterialLibrary::unmeasured_word(std::string_view word) const 
 
 MaterialLibrary::Missing MaterialLibrary::missing(std::string_view name) const {
   Missing out;
+  if (const auto asked = read_alloy(name)) {
+    out.found = printable(asked->series) + " is no series of compositions";
+    out.expected = "one of " + joined(series_, ", ", &Entry::id);
+    return out;
+  }
   if (const Unmeasured* thing = unmeasured(name)) {
     out.found = "no open measurement known: " + thing->why;
     if (!thing->nearest.empty()) out.expected = "what is measured and near: " + joined(thing->nearest);

@@ -59,8 +59,8 @@ class MaterialLibrary {
   /// By id, then name, then alias, for which case, spaces, '-' and '_' do not matter, then by an alias that
   /// is a chemical formula (is_formula()), in its own case. "ID/DATASET" is the caller's business.
   std::optional<FoundName> look_up(std::string_view name) const;
-  /// The material of that name. A text of layers ("water:2mm/copper") is a material of its own; throws Error where one
-  /// of them is not known.
+  /// The material of that name. A text of layers ("water:2mm/copper") is a material of its own, and so is a composition of a
+  /// series ("silver_gold:0.35", alloy.h); throws Error where a layer is not known, and as alloy() does.
   std::optional<Material> find(std::string_view name) const;
 
   /// find(), and where no material has the name the one that is left when the words around it are set aside
@@ -99,13 +99,17 @@ class MaterialLibrary {
     std::size_t blob_offset = 0;        // into the built-in bytes, when material is empty
     std::optional<Material> material;
   };
+  // A composition of a series; nothing for a text of another form, and of an unknown series.
+  std::optional<Material> alloy_of(std::string_view text) const;
   struct Base;
   Base base_of(std::string_view name) const;
   const Unmeasured* unmeasured_word(std::string_view word) const;
+  static std::optional<FoundName> look_up(const std::vector<Entry>& entries, std::string_view name);
   static Entry entry_of(std::string id, std::string name, std::vector<std::string> aliases);
   void insert(Entry entry);
 
   std::vector<Entry> entries_;  // sorted by id
+  std::vector<Entry> series_;   // of compositions (alloy.h)
   std::vector<std::string> ids_;
   std::vector<Unmeasured> unmeasured_;
 };

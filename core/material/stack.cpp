@@ -128,6 +128,11 @@ StackPart library_part(const MaterialLibrary& library, std::string_view name, co
   auto found = library.look_up(name);
   const std::size_t slash = found ? name.npos : name.find('/');
   const std::string_view material = name.substr(0, slash);
+  if (auto mixed = found ? std::nullopt : library.find(name)) {
+    out.found.material = std::move(*mixed);
+    out.written = name;
+    return out;
+  }
   if (!found) found = library.look_up(material);
   if (!found) fail_unknown_name(library, name, words);
   out.found.material = library.as_filed(found->index);

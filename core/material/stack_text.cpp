@@ -34,13 +34,14 @@ bool is_no_number(std::string_view text) {
 }
 
 // Where the ':' before a thickness is in a part between two '/'; npos: there is none.
-std::size_t thickness_at(std::string_view part) {
+//   last   no '/' follows, so that a fraction ends the name of the base
+std::size_t thickness_at(std::string_view part, bool last) {
   for (std::size_t colon = part.find(':'); colon != part.npos; colon = part.find(':', colon + 1)) {
     const std::string_view after = part.substr(colon + 1);
-    if (after.empty()) continue;
+    const std::string_view first = after.substr(0, after.find(':'));
+    if (first.empty() || (is_fraction(first) && (last || first.size() < after.size()))) continue;
     constexpr std::string_view begins = "0123456789.+-?";
-    if (begins.find(after.front()) != begins.npos || is_no_number(after.substr(0, after.find(':'))))
-      return colon;
+    if (begins.find(after.front()) != begins.npos || is_no_number(first)) return colon;
   }
   return part.npos;
 }
@@ -77,6 +78,11 @@ StackText::Layer layer(std::string name, std::string_view rest, const std::strin
 
 }  // namespace
 
+bool is_fraction(std::string_view text) {
+  double value = 0;
+  return !text.starts_with('+') && parse_number(text, value) && value >= 0 && value <= 1;
+}
+
 bool read_thickness(std::string_view text, double& nm) {
   const double factor = take_unit(text);
   if (factor == 0 || !parse_number(text, nm)) return false;
@@ -87,7 +93,7 @@ bool read_thickness(std::string_view text, double& nm) {
 bool is_stack_text(std::string_view text) {
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find('/', from), text.size());
-    if (thickness_at(text.substr(from, to - from)) != text.npos) return true;
+    if (thickness_at(text.substr(from, to - from), to == text.size()) != text.npos) return true;
     from = to + 1;
   }
   return false;
@@ -114,7 +120,7 @@ StackText parse_stack(std::string_view text, std::string_view place) {
   std::size_t begin = 0;  // of what belongs to no layer yet
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find('/', from), text.size());
-    const std::size_t colon = thickness_at(text.substr(from, to - from));
+    const std::size_t colon = thickness_at(text.substr(from, to - from), to == text.size());
     if (colon != text.npos) {
       if (out.layers.size() == most_layers)
         throw Error::at(place, "more than " + std::to_string(most_layers) + " layers",

@@ -38,6 +38,10 @@ struct StackText {
 /// "40nm", "1.5um" or "2mm" in nanometres; false for another text, and for what no layer can have.
 bool read_thickness(std::string_view text, double& nm);
 
+/// Whether a text is a number from 0 to 1 without a unit: behind the name of a series it is a composition
+/// ("silver_gold:0.35:40nm", alloy.h), and no thickness.
+bool is_fraction(std::string_view text);
+
 /// Whether a text is that of a stack: one of its parts has a thickness, right or wrong.
 bool is_stack_text(std::string_view text);
 

@@ -43,6 +43,10 @@ for path in files:
     with open(path, encoding="utf-8") as file:
         check(material, json.load(file), path)
 
+for path in glob.glob(f"{source}/resources/series/*.json"):
+    with open(path, encoding="utf-8") as file:
+        check(material, json.load(file), path)
+
 for options in ([], ["--space", "xyz", "--illuminant", "A"], ["--method", "exact", "--outside", "water"],
                 ["--method", "point-650-550-450", "--space", "acescg"]):
     document = json.loads(run("f0", "--all", "--format", "json", *options))

@@ -15,18 +15,20 @@ void members(To& to, S& s) {
 }
 template <class To, Like<BlobIndex> S>
 void members(To& to, S& s) {
-  all_members(to, s.materials, s.unmeasured);
+  all_members(to, s.materials, s.series, s.unmeasured);
 }
 
 // Layout: size of the index, the index, the materials. Offsets in the index count from its end.
-std::string encode_library(const std::vector<Material>& materials,
+std::string encode_library(const std::vector<Material>& materials, const std::vector<Material>& series,
                            const std::vector<Unmeasured>& unmeasured) {
-  BlobIndex index{{}, unmeasured};
+  BlobIndex index{{}, {}, unmeasured};
   MemberWriter body, head, whole;
-  for (const Material& m : materials) {
-    index.materials.push_back({m.id, m.name, m.aliases, body.bytes.size()});
+  const auto add = [&](const Material& m, std::vector<BlobEntry>& entries) {
+    entries.push_back({m.id, m.name, m.aliases, body.bytes.size()});
     body.member(m);
-  }
+  };
+  for (const Material& m : materials) add(m, index.materials);
+  for (const Material& m : series) add(m, index.series);
   head.member(index);
   whole.member(head.bytes);
   return whole.bytes + body.bytes;
@@ -36,7 +38,8 @@ BlobIndex decode_index(std::string_view blob) {
   const std::size_t begin = sizeof(std::uint64_t), size = bytes_le::number64(blob, 0);
   BlobIndex index;
   MemberReader(blob.substr(begin, size)).member(index);
-  for (BlobEntry& e : index.materials) e.offset += begin + size;
+  for (std::vector<BlobEntry>* entries : {&index.materials, &index.series})
+    for (BlobEntry& e : *entries) e.offset += begin + size;
   return index;
 }
 

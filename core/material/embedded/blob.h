@@ -14,8 +14,10 @@ namespace etak {
 /// The library as bytes: what etak_embed writes at build time and MaterialLibrary::builtin() reads. Only ever
 /// read by the program it is linked into, so it is trusted and carries no version.
 ///   materials    sorted by id
+///   series       of compositions (alloy.h), sorted by id
 ///   unmeasured   the words that no material answers
-std::string encode_library(const std::vector<Material>& materials, const std::vector<Unmeasured>& unmeasured);
+std::string encode_library(const std::vector<Material>& materials, const std::vector<Material>& series,
+                           const std::vector<Unmeasured>& unmeasured);
 
 /// Where each material lies and by what names it is found.
 struct BlobEntry {
@@ -24,7 +26,7 @@ struct BlobEntry {
   std::size_t offset = 0;
 };
 struct BlobIndex {
-  std::vector<BlobEntry> materials;
+  std::vector<BlobEntry> materials, series;
   std::vector<Unmeasured> unmeasured;
 };
 BlobIndex decode_index(std::string_view blob);

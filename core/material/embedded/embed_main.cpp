@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// etak_embed OUT FOLDER UNMEASURED: reads every material file below FOLDER and the list of words without a
-// measurement, and writes the C++ source of the built-in library (library_words.h). Run by the build; a broken, twice named
-// or misplaced material fails it, and so does an unknown id near to such a word.
+// etak_embed OUT FOLDER SERIES UNMEASURED: reads every material file below FOLDER, every series of compositions below SERIES
+// and the list of words without a measurement, and writes the C++ source of the built-in library (library_words.h). Run by the
+// build; a broken, twice named or misplaced material fails it, and so does an unknown id near to such a word.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/system.h"
+#include "core/material/alloy.h"
 #include "core/material/embedded/blob.h"
 #include "core/material/json.h"
 
@@ -64,31 +65,52 @@ std::string source_of(std::string_view bytes) {
   return out + "};\n}  // namespace etak\n";
 }
 
-void embed(const std::string& out, const std::string& folder, const std::string& unmeasured_file) {
+// All below a folder, by their ids.
+//   check   of each, with its file
+std::map<std::string, etak::Material> read_folder(const std::string& folder,
+                                                  void (*check)(const etak::Material&, const fs::path&)) {
   std::map<std::string, etak::Material> by_id;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
     const std::string file = etak::sys::path_text(entry.path());
     etak::Material m = etak::parse_material(etak::read_file(file), file);
-    check_place(m, entry.path());
+    check(m, entry.path());
     const auto [place, is_new] = by_id.emplace(m.id, std::move(m));
     if (!is_new) throw etak::Error::at(file, "id \"" + place->first + "\" again", "each id once");
   }
+  return by_id;
+}
+
+void check_series(const etak::Material& m, const fs::path& file) {
+  if (!etak::is_series(m) || file.stem() != m.id)
+    throw etak::Error::at(etak::sys::path_text(file), "no series of compositions " + m.id,
+                          "tables of n and k with fractions as their ids, in the file of the series' id");
+}
+
+std::vector<etak::Material> values_of(std::map<std::string, etak::Material> by_id) {
+  std::vector<etak::Material> out;
+  for (auto& [id, material] : by_id) out.push_back(std::move(material));
+  return out;
+}
+
+void embed(const std::string& out, const std::string& folder, const std::string& series,
+           const std::string& unmeasured_file) {
+  auto by_id = read_folder(folder, check_place);
   const std::vector<etak::Unmeasured> unmeasured = read_unmeasured(unmeasured_file, by_id);
-  std::vector<etak::Material> materials;
-  for (auto& [id, material] : by_id) materials.push_back(std::move(material));
-  etak::write_file(out, source_of(etak::encode_library(materials, unmeasured)), true);
+  const std::string bytes = etak::encode_library(values_of(std::move(by_id)),
+                                                 values_of(read_folder(series, check_series)), unmeasured);
+  etak::write_file(out, source_of(bytes), true);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::fprintf(stderr, "usage: etak_embed OUT FOLDER UNMEASURED\n");
+  if (argc != 5) {
+    std::fprintf(stderr, "usage: etak_embed OUT FOLDER SERIES UNMEASURED\n");
     return 2;
   }
   try {
-    embed(argv[1], argv[2], argv[3]);
+    embed(argv[1], argv[2], argv[3], argv[4]);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "etak_embed: %s\n", e.what());
     return 2;

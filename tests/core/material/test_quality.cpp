@@ -133,7 +133,7 @@ TEST_CASE("the reason is read, written and kept in the built-in library") {
   const std::string text = format_material(m);
   CHECK(contains(text, R"("doubtful": "read from a \"small\" figure",)"));
   CHECK((parse_material(text, "m.json") == m));
-  const std::string blob = encode_library({m}, {});
+  const std::string blob = encode_library({m}, {}, {});
   CHECK(decode_material(blob, decode_index(blob).materials.at(0).offset).datasets[0].doubtful ==
         m.datasets[0].doubtful);
   std::string empty = text;
