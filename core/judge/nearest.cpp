@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/hash/content_hash.h"
+#include "core/certainty/publications.h"
 #include "core/color/delta_e.h"
 #include "core/judge/pixels/code_tables.h"
 #include "core/material/appearance.h"
@@ -115,6 +116,29 @@ std::optional<KnownF0> KnownMaterials::total_of(std::string_view material) const
   out.linear = {seen(parts.f0.r, parts.diffuse.r), seen(parts.f0.g, parts.diffuse.g),
                 seen(parts.f0.b, parts.diffuse.b)};
   return out;
+}
+
+std::optional<NamedBand> named_band(const Material& material, std::span<const KnownF0> others,
+                                    const std::array<double, 3>& linear, TextureTransfer transfer,
+                                    double codes) {
+  constexpr double step = 0.005;  // of 8 bits
+  static const F0Solver solver{F0Options{}};
+  const F0Result stated = solve(solver, material, material.preferred_dataset());
+  const auto band = material_band(solver, material, material.preferred_dataset(), stated).band;
+  if (!band) return std::nullopt;
+  const auto is_of_another = [&](const KnownF0& other) {
+    return other.preferred && other.conductor && other.id != material.id &&
+           code_distance(linear, other, transfer) <= codes;
+  };
+  return NamedBand{*band, lies_inside(*band, stated.srgb_linear, {linear[0], linear[1], linear[2]}, step) &&
+                              std::ranges::none_of(others, is_of_another)};
+}
+
+std::optional<NamedBand> KnownMaterials::band_around(std::string_view material,
+                                                     const std::array<double, 3>& linear,
+                                                     TextureTransfer transfer, double codes) const {
+  const auto match = material.empty() ? std::nullopt : library_.find(material);
+  return match ? named_band(*match, f0(), linear, transfer, codes) : std::nullopt;
 }
 
 const KnownMaterials& known_materials(const Settings& settings) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/once.h"
+#include "core/certainty/bands.h"
 #include "core/color/rgb.h"
 #include "core/judge/finding.h"
 #include "core/judge/settings.h"
@@ -31,6 +32,21 @@ struct KnownF0 {
   double luminance = 0;
 };
 
+/// The band of a material's stated F0, and whether a colour may be the material's though no dataset is near.
+///   holds   nine of ten new publications of the material would lie where the colour does, and it is not within `codes` of
+///           the stated F0 of another conductor, because then it is the other's
+struct NamedBand {
+  Band band;
+  bool holds = false;
+};
+
+/// Nothing where the material has no band.
+///   others   of the library; those of the material itself do not count
+///   linear   linear sRGB
+std::optional<NamedBand> named_band(const Material& material, std::span<const KnownF0> others,
+                                    const std::array<double, 3>& linear, TextureTransfer transfer,
+                                    double codes);
+
 /// The materials of one library, by which textures are judged.
 class KnownMaterials {
  public:
@@ -51,6 +67,10 @@ class KnownMaterials {
   /// What the preferred dataset of a material without a specular F0 gives: the total reflectance of paper, as divided()
   /// makes a surface and a body of it.
   std::optional<KnownF0> total_of(std::string_view material) const;
+
+  /// named_band() of the material of that id, alias or name.
+  std::optional<NamedBand> band_around(std::string_view material, const std::array<double, 3>& linear,
+                                       TextureTransfer transfer, double codes) const;
 
   /// Whether the library has a material of that id, alias or name; those without a specular F0, such as paper, too.
   bool has(std::string_view material) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 
 #include "core/base/number.h"
 #include "core/judge/rules/rows.h"
@@ -36,6 +37,7 @@ bool is_flat(const RuleCheck& check, const TileEvidence& tile, const Plateau& pl
 struct PlateauVerdict {
   Severity severity;
   const KnownF0* softener = nullptr;  // the common material that makes a warning of it
+  std::optional<Band> band = {};      // of the named material, in which it lies
 };
 
 // The severity of a plateau. A common material of the zone at that colour lowers an error to a warning; a
@@ -45,6 +47,10 @@ PlateauVerdict verdict_on(const RuleCheck& check, const TileEvidence& tile, cons
   const ZoneSettings& zone = check.settings.zone;
   const KnownMaterials& known = known_materials(check.settings);
   const std::vector<const KnownF0*> named = known.f0_of(tile.tile.material);
+  if (const auto band = known.band_around(tile.tile.material, plateau.specular, check.settings.transfer,
+                                          check.parameter("match_bytes"));
+      band && band->holds)
+    return {check.at_most(Severity::info), nullptr, band->band};
   double nearest = check.parameter("match_bytes");
   PlateauVerdict out{check.severity()};
   for (const KnownF0& entry : known.f0()) {
@@ -79,7 +85,7 @@ constinit const Rule etk101_f0_forbidden_zone{
         "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors below 0.4564 invalid; thresholds of the region analysis measured on synthetic edges (etak)",
     .what =
         "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 125 to 177 for greys). A warning where the colour is within 3 codes of a common material of the library that lies "
-        "in the zone itself (silicon, graphite, hematite, titanium nitride), information when the file names a material of the zone and the colour is its own, and a warning where a metal-rough set is half "
+        "in the zone itself (silicon, graphite, hematite, titanium nitride), information when the file names a material and the colour is that of a dataset in the zone, or lies in the band that holds nine of ten new publications of the material and within 3 codes of no other metal's stated F0, and a warning where a metal-rough set is half "
         "metal (ETK113). Plateaus of less than 0.01 % of a tile's texels are at most a warning. The F0 that a project takes from a cited record is measured and no mistake: it is information, which names the other datasets. Regions, not texels: what filtering makes of an edge between metal and dielectric is left to ETK102. The smallest region is 32 texels and 0.001 % of the tile: a first limit of 0.01 "
         "% would have hidden a patch of 10 x 10 in a tile of 1024 x 1024. Codes are rounded: what lies within half a code of a limit (0.0028 at 0.45, 0.0018 at 0.20) counts as outside, such as Hoffman's "
         "0.200, code 124, and indium antimonide, 0.4492.",
@@ -127,6 +133,9 @@ constinit const Rule etk101_f0_forbidden_zone{
         if (few && worst.severity > finding.severity)
           finding.message += "; no error, because it is less than " +
                              number(check.parameter("error_share"), 2) + " % of the texels";
+        if (worst.band)
+          finding.message += "; information, because it lies in the band of " + tile.tile.material + " (" +
+                             words(*worst.band) + ")";
         if (worst.softener != nullptr)
           finding.message += "; no error, because it is within " + number(check.parameter("match_bytes"), 2) +
                              " codes of " + worst.softener->id + ", which is common";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/number.h"
 #include "core/judge/rules/rows.h"
@@ -35,9 +36,9 @@ constinit const Rule etk112_f0_wrong_material{
     .needs = {Need::bytes_b, Need::regions, Need::named},
     .parameters = {{"distance", 3, 3, "codes", "largest channel difference from the nearest dataset"}},
     .source =
-        "The material library of etak: titanium spans 0.40 to 0.60 over its datasets, so all of them are compared",
+        "The material library of etak: titanium spans 0.40 to 0.60 over its datasets, so all of them are compared; bands of new publications (uncertainty.md)",
     .what =
-        "The file names a material of the library, and a plateau differs by more than 3 codes from every dataset of it.",
+        "The file names a material of the library, and a plateau differs by more than 3 codes from every dataset of it and lies outside of the band that holds nine of ten new publications of it (etak f0 NAME -v). Within 3 codes of another metal's stated F0 the band excuses nothing.",
     .why = "Name and value contradict each other: one of them is wrong.",
     .example = "A tile named gold with the F0 of brass.",
     .fix = "Correct the F0 (etak f0 NAME prints it) or the name.",
@@ -51,15 +52,21 @@ constinit const Rule etk112_f0_wrong_material{
         std::size_t area = 0;
         const Plateau* shown = nullptr;
         double shown_distance = 0;
+        std::optional<NamedBand> shown_band;
         for (const Plateau& plateau : plateaus->largest) {
           double distance = 1e9;
           for (const KnownF0* entry : datasets)
             distance = std::min(distance, code_distance(plateau.specular, *entry, check.settings.transfer));
           if (distance <= check.parameter("distance")) continue;
+          const auto band = known_materials(check.settings)
+                                .band_around(tile.tile.material, plateau.specular, check.settings.transfer,
+                                             check.parameter("distance"));
+          if (band && band->holds) continue;
           area += plateau.area;
           if (shown == nullptr) {
             shown = &plateau;
             shown_distance = distance;
+            shown_band = band;
           }
         }
         if (shown == nullptr) continue;
@@ -70,6 +77,7 @@ constinit const Rule etk112_f0_wrong_material{
         finding.message = finding.value + " on " + area_text(area, tile.counts.texels) + ", " +
                           number(shown_distance, 2) + " codes from the nearest dataset of " +
                           datasets.front()->id;
+        if (shown_band) finding.message += " (" + words(shown_band->band) + ")";
         // The value of a metal does not tell how it came about. Here the material is named, so that a possible
         // cause can be given.
         for (const KnownF0* entry : datasets) {

@@ -9,11 +9,11 @@ namespace etak {
 
 namespace {
 
-struct Band {
+struct AlbedoBand {
   std::string_view name;
   double low, high;
 };
-constexpr Band bands[] = {
+constexpr AlbedoBand bands[] = {
     {"black-paint", 0.03, 0.07}, {"dark-soil", 0.05, 0.14}, {"worn-asphalt", 0.10, 0.15},
     {"dry-clay", 0.15, 0.35},    {"grass", 0.16, 0.26},     {"old-concrete", 0.17, 0.30},
     {"red-tile", 0.23, 0.33},    {"dry-sand", 0.20, 0.45},  {"new-concrete", 0.32, 0.55},
@@ -36,8 +36,9 @@ constinit const Rule etk205_albedo_preset{
     .fix = "Scale the diffuse texture so that its mean lies in the band.",
     .check = [](RuleCheck& check) {
       for (const TileEvidence& tile : check.evidence.tiles) {
-        const auto* band = std::find_if(std::begin(bands), std::end(bands),
-                                        [&](const Band& b) { return b.name == tile.tile.surface_class; });
+        const auto* band = std::find_if(std::begin(bands), std::end(bands), [&](const AlbedoBand& b) {
+          return b.name == tile.tile.surface_class;
+        });
         if (band == std::end(bands) || tile.detail.opaque == 0) continue;
         std::array<double, 3> mean{};
         for (std::size_t c = 0; c < 3; ++c)

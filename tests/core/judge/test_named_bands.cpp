@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "core/certainty/publications.h"
+#include "core/color/srgb.h"
+#include "core/judge/engine.h"
+#include "core/judge/nearest.h"
+#include "core/material/quality.h"
+#include "tests/core/judge/corpus.h"
+#include "tests/core/material/library_support.h"
+#include "tests/core/validate/checked.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+constexpr double codes = 3;  // the tolerance of ETK112
+
+const F0Solver& solver() {
+  static const F0Solver built{F0Options{}};
+  return built;
+}
+
+std::array<double, 3> f0_of(const Material& material, const Dataset& dataset) {
+  const LinearRgb f0 = solve(solver(), material, dataset).srgb_linear;
+  return {f0.r, f0.g, f0.b};
+}
+
+// Codes from the nearest of these F0.
+double distance(const std::array<double, 3>& linear, const std::vector<KnownF0>& entries) {
+  double least = 255;
+  for (const KnownF0& each : entries)
+    least = std::min(least, code_distance(linear, each, TextureTransfer::srgb));
+  return least;
+}
+
+std::vector<KnownF0> entries_of(const Material& material) {
+  std::vector<KnownF0> out;
+  for (const Dataset& each : material.datasets)
+    if (each.doubtful.empty()) out.emplace_back().linear = f0_of(material, each);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a named material accepts at least 85 % of its publications that are left out") {
+  const std::span<const KnownF0> others = KnownMaterials::builtin().f0();
+  std::size_t all = 0, by_codes = 0, accepted = 0;
+  for (std::size_t i = 0; i < library().ids().size(); ++i) {
+    const Material whole = library().at(i);
+    const Dataset& stated = whole.preferred_dataset();
+    const MaterialBand band = material_band(solver(), whole, stated, solve(solver(), whole, stated));
+    if (!band.band || band.band->publications < 2) continue;
+    std::vector<const Dataset*> publications{&stated};
+    for (const Publication& each : band.publications)
+      if (each.left_out.empty()) publications.push_back(each.dataset);
+    for (const Dataset* each : publications) {
+      const auto rest = without_publication(whole, *each);
+      if (!rest) continue;
+      const std::array<double, 3> colour = f0_of(whole, *each);
+      const bool near = distance(colour, entries_of(*rest)) <= codes;
+      const auto named = named_band(*rest, others, colour, TextureTransfer::srgb, codes);
+      ++all;
+      by_codes += near;
+      accepted += near || (named && named->holds);
+    }
+  }
+  INFO(accepted << " of " << all << ", " << by_codes << " of them within 3 codes of another publication");
+  CHECK(all >= 250);
+  CHECK(100 * accepted >= 85 * all);
+  CHECK(100 * by_codes < 75 * all);  // the band has work to do
+}
+
+TEST_CASE("no metal hides in the band of another under whose name it is painted") {
+  const KnownMaterials& known = KnownMaterials::builtin();
+  std::size_t pairs = 0;
+  for (const KnownF0& named : known.f0()) {
+    if (!named.conductor || !named.preferred) continue;
+    const Material material = etak::test::material(named.id);
+    for (const KnownF0& painted : known.f0()) {
+      if (!painted.conductor || !painted.preferred || painted.id == named.id) continue;
+      std::array<double, 3> colour = painted.linear;
+      for (double& c : colour) c = srgb_decode(srgb_u8(c) / 255.0);
+      const auto band = named_band(material, known.f0(), colour, TextureTransfer::srgb, codes);
+      if (!band) break;
+      CHECK_FALSE(band->holds);
+      ++pairs;
+    }
+  }
+  CHECK(pairs > 2000);
+}
+
+TEST_CASE("titanium as Hoffman printed it is titanium by its band, and a copper is told with gold's band") {
+  TextureSet set = flat_set(96, {194, 187, 179}, {30, 30, 30});
+  set.manifest.material = "titanium";
+  CHECK(find(check_set(set), "ETK112") == nullptr);
+  set.manifest.material = "gold";
+  const CheckedFile wrong = check_set(set);
+  REQUIRE(find(wrong, "ETK112") != nullptr);
+  CHECK(contains(find(wrong, "ETK112")->message, "nine of ten within"));
+}
+
+TEST_CASE("a colour of the zone in the band of the named material is information that tells the band") {
+  TextureSet set = flat_set(96, {182, 175, 165}, {30, 30, 30});
+  REQUIRE(find(check_set(set), "ETK101") != nullptr);
+  CHECK(find(check_set(set), "ETK101")->severity == Severity::error);
+  set.manifest.material = "titanium";
+  const CheckedFile named = check_set(set);
+  REQUIRE(find(named, "ETK101") != nullptr);
+  CHECK(find(named, "ETK101")->severity == Severity::info);
+  CHECK(contains(find(named, "ETK101")->message, "in the band of titanium (4 publications"));
+}
