@@ -18,20 +18,20 @@ using namespace etak::test;
 
 namespace {
 
-constexpr double codes = 3;  // the tolerance of ETK112
+constexpr double named_codes = 3;  // the tolerance of ETK112
 
-const F0Solver& solver() {
+const F0Solver& band_solver() {
   static const F0Solver built{F0Options{}};
   return built;
 }
 
 std::array<double, 3> f0_of(const Material& material, const Dataset& dataset) {
-  const LinearRgb f0 = solve(solver(), material, dataset).srgb_linear;
+  const LinearRgb f0 = solve(band_solver(), material, dataset).srgb_linear;
   return {f0.r, f0.g, f0.b};
 }
 
 // Codes from the nearest of these F0.
-double distance(const std::array<double, 3>& linear, const std::vector<KnownF0>& entries) {
+double codes_from(const std::array<double, 3>& linear, const std::vector<KnownF0>& entries) {
   double least = 255;
   for (const KnownF0& each : entries)
     least = std::min(least, code_distance(linear, each, TextureTransfer::srgb));
@@ -53,7 +53,8 @@ TEST_CASE("a named material accepts at least 85 % of its publications that are l
   for (std::size_t i = 0; i < library().ids().size(); ++i) {
     const Material whole = library().at(i);
     const Dataset& stated = whole.preferred_dataset();
-    const MaterialBand band = material_band(solver(), whole, stated, solve(solver(), whole, stated));
+    const MaterialBand band =
+        material_band(band_solver(), whole, stated, solve(band_solver(), whole, stated));
     if (!band.band || band.band->publications < 2) continue;
     std::vector<const Dataset*> publications{&stated};
     for (const Publication& each : band.publications)
@@ -62,14 +63,15 @@ TEST_CASE("a named material accepts at least 85 % of its publications that are l
       const auto rest = without_publication(whole, *each);
       if (!rest) continue;
       const std::array<double, 3> colour = f0_of(whole, *each);
-      const bool near = distance(colour, entries_of(*rest)) <= codes;
-      const auto named = named_band(*rest, others, colour, TextureTransfer::srgb, codes);
+      const bool near = codes_from(colour, entries_of(*rest)) <= named_codes;
+      const auto named = named_band(*rest, others, colour, TextureTransfer::srgb, named_codes);
       ++all;
       by_codes += near;
       accepted += near || (named && named->holds);
     }
   }
-  INFO(accepted << " of " << all << ", " << by_codes << " of them within 3 codes of another publication");
+  INFO(accepted << " of " << all << ", " << by_codes
+                << " of them within 3 codes of another publication");
   CHECK(all >= 250);
   CHECK(100 * accepted >= 85 * all);
   CHECK(100 * by_codes < 75 * all);  // the band has work to do
@@ -85,7 +87,7 @@ TEST_CASE("no metal hides in the band of another under whose name it is painted"
       if (!painted.conductor || !painted.preferred || painted.id == named.id) continue;
       std::array<double, 3> colour = painted.linear;
       for (double& c : colour) c = srgb_decode(srgb_u8(c) / 255.0);
-      const auto band = named_band(material, known.f0(), colour, TextureTransfer::srgb, codes);
+      const auto band = named_band(material, known.f0(), colour, TextureTransfer::srgb, named_codes);
       if (!band) break;
       CHECK_FALSE(band->holds);
       ++pairs;

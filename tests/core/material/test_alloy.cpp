@@ -44,7 +44,7 @@ double at_550_nm(const Material& material, bool k) {
   return (k ? k_at(constants, nm, "k") : n_at(constants, nm, "n")).front();
 }
 
-std::string refusal(std::string_view text) {
+std::string alloy_refusal(std::string_view text) {
   try {
     (void)library().find(text);
   } catch (const std::exception& e) {
@@ -107,10 +107,10 @@ TEST_CASE("a composition is a layer and a base of a stack") {
 }
 
 TEST_CASE("what is not measured is refused with what is") {
-  CHECK(contains(refusal("gallium_aluminum_antimonide:0.7"),
+  CHECK(contains(alloy_refusal("gallium_aluminum_antimonide:0.7"),
                  "0.7 is outside of what is measured; expected 0 to 0.5 of aluminium"));
-  CHECK(contains(refusal("silicon_germanium:0"), "expected 0.02 to 0.89 of germanium"));
-  CHECK(contains(refusal("silver_gold:1.2"), "thickness 1.2 has no unit"));
+  CHECK(contains(alloy_refusal("silicon_germanium:0"), "expected 0.02 to 0.89 of germanium"));
+  CHECK(contains(alloy_refusal("silver_gold:1.2"), "thickness 1.2 has no unit"));
   CHECK_FALSE(library().find("water:0.5"));
   CHECK(library().missing("water:0.5").found == "water is no series of compositions");
   CHECK(contains(library().missing("water:0.5").expected, "silver_gold"));
