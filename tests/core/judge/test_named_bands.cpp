@@ -70,8 +70,7 @@ TEST_CASE("a named material accepts at least 85 % of its publications that are l
       accepted += near || (named && named->holds);
     }
   }
-  INFO(accepted << " of " << all << ", " << by_codes
-                << " of them within 3 codes of another publication");
+  INFO(accepted << " of " << all << ", " << by_codes << " of them within 3 codes of another publication");
   CHECK(all >= 250);
   CHECK(100 * accepted >= 85 * all);
   CHECK(100 * by_codes < 75 * all);  // the band has work to do
