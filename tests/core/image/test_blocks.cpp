@@ -18,7 +18,7 @@ namespace {
 using test::BlockTexture;
 using test::contains;
 using test::error_of;
-using Texel = std::array<std::uint8_t, 4>;
+using BlockTexel = std::array<std::uint8_t, 4>;
 
 BlockTexels decoded(BlockCode code, std::vector<unsigned> bytes) {
   std::vector<std::uint8_t> block(bytes.begin(), bytes.end());
@@ -46,7 +46,7 @@ constexpr std::array four_ccs{FourCc{"DXT1", "BC1"}, FourCc{"DXT3", "BC2"}, Four
                               FourCc{"ATI1", "BC4"}, FourCc{"BC4U", "BC4"}, FourCc{"ATI2", "BC5"},
                               FourCc{"BC5U", "BC5"}};
 
-const std::pair<int, int> sizes[] = {{16, 16}, {20, 12}, {5, 3}, {1, 1}, {1, 9}, {7, 1}};
+const std::pair<int, int> block_sizes[] = {{16, 16}, {20, 12}, {5, 3}, {1, 1}, {1, 9}, {7, 1}};
 
 // What OpenImageIO's decoder makes of a DDS file.
 Image8 by_oiio(const std::string& path) {
@@ -64,26 +64,26 @@ Image8 by_oiio(const std::string& path) {
 TEST_CASE("a block of BC1 has four colours, or three and one without alpha, by the order of its two") {
   // 0xf800 is red and 0x001f blue; indices 0, 1, 2, 3 in the first row.
   const BlockTexels four = decoded(BlockCode::bc1, {0x00, 0xf8, 0x1f, 0x00, 0xe4, 0, 0, 0});
-  CHECK(four[0] == Texel{255, 0, 0, 255});
-  CHECK(four[1] == Texel{0, 0, 255, 255});
-  CHECK(four[2] == Texel{170, 0, 85, 255});
-  CHECK(four[3] == Texel{85, 0, 170, 255});
-  CHECK(four[4] == Texel{255, 0, 0, 255});
+  CHECK(four[0] == BlockTexel{255, 0, 0, 255});
+  CHECK(four[1] == BlockTexel{0, 0, 255, 255});
+  CHECK(four[2] == BlockTexel{170, 0, 85, 255});
+  CHECK(four[3] == BlockTexel{85, 0, 170, 255});
+  CHECK(four[4] == BlockTexel{255, 0, 0, 255});
   const BlockTexels three = decoded(BlockCode::bc1, {0x1f, 0x00, 0x00, 0xf8, 0xe4, 0, 0, 0});
-  CHECK(three[0] == Texel{0, 0, 255, 255});
-  CHECK(three[2] == Texel{128, 0, 128, 255});
-  CHECK(three[3] == Texel{0, 0, 0, 0});
+  CHECK(three[0] == BlockTexel{0, 0, 255, 255});
+  CHECK(three[2] == BlockTexel{128, 0, 128, 255});
+  CHECK(three[3] == BlockTexel{0, 0, 0, 0});
   // Equal colours: the mode of three. In BC3 the same eight bytes have four colours.
-  CHECK(decoded(BlockCode::bc1, {0, 0xf8, 0, 0xf8, 0xff, 0, 0, 0})[0] == Texel{0, 0, 0, 0});
+  CHECK(decoded(BlockCode::bc1, {0, 0xf8, 0, 0xf8, 0xff, 0, 0, 0})[0] == BlockTexel{0, 0, 0, 0});
   CHECK(decoded(BlockCode::bc3, {255, 0, 0, 0, 0, 0, 0, 0, 0x1f, 0, 0, 0xf8, 0xe4, 0, 0, 0})[3] ==
-        Texel{170, 0, 85, 255});
+        BlockTexel{170, 0, 85, 255});
 }
 
 TEST_CASE("BC2 has sixteen alphas; a block of BC4 has eight values, or six with 0 and 255") {
   const BlockTexels bc2 =
       decoded(BlockCode::bc2, {0x10, 0xf2, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 0, 0, 0, 0, 0, 0});
   for (std::size_t i = 0; i < 4; ++i)
-    CHECK(bc2[i] == Texel{255, 255, 255, std::array<std::uint8_t, 4>{0, 17, 34, 255}[i]});
+    CHECK(bc2[i] == BlockTexel{255, 255, 255, std::array<std::uint8_t, 4>{0, 17, 34, 255}[i]});
   // Indices 0 to 7 in the first eight texels: 0xfac688 in three bytes.
   const BlockTexels eight = decoded(BlockCode::bc4, {210, 0, 0x88, 0xc6, 0xfa, 0, 0, 0});
   const BlockTexels six = decoded(BlockCode::bc4, {0, 200, 0x88, 0xc6, 0xfa, 0, 0, 0});
@@ -92,26 +92,26 @@ TEST_CASE("BC2 has sixteen alphas; a block of BC4 has eight values, or six with 
     CHECK(six[i][0] == std::array{0, 200, 40, 80, 120, 160, 0, 255}[i]);
   }
   const BlockTexels bc5 = decoded(BlockCode::bc5, {9, 9, 0, 0, 0, 0, 0, 0, 8, 7, 0, 0, 0, 0, 0, 0});
-  CHECK(bc5[15] == Texel{9, 8, 0, 255});
+  CHECK(bc5[15] == BlockTexel{9, 8, 0, 255});
 }
 
 TEST_CASE("BC7: mode 6 by hand, and the reserved mode is 0 in all channels") {
   // Mode 6: bit 6 is set; each channel has two ends of 7 bits; both last bits are 1: all ends are 255.
   std::vector<unsigned> white(16, 0);
   for (std::size_t bit = 6; bit < 65; ++bit) white[bit / 8] |= 1u << bit % 8;
-  CHECK(decoded(BlockCode::bc7, white)[7] == Texel{255, 255, 255, 255});
+  CHECK(decoded(BlockCode::bc7, white)[7] == BlockTexel{255, 255, 255, 255});
   // Only the second end of alpha (bits 56 to 62) and its last bit (64) are not 0: texel 1 has index 8, 34 / 64 of it.
   // The other channels have that last bit alone: 1.
   std::vector<unsigned> ramp(16, 0);
   ramp[0] = 0x40;
   ramp[7] = 0x7f;
   ramp[8] = 1 | 8 << 4;
-  CHECK(decoded(BlockCode::bc7, ramp)[0] == Texel{0, 0, 0, 0});
-  CHECK(decoded(BlockCode::bc7, ramp)[1] == Texel{1, 1, 1, (255 * 34 + 32) / 64});
-  CHECK(decoded(BlockCode::bc7, std::vector<unsigned>(16, 0))[3] == Texel{0, 0, 0, 0});
+  CHECK(decoded(BlockCode::bc7, ramp)[0] == BlockTexel{0, 0, 0, 0});
+  CHECK(decoded(BlockCode::bc7, ramp)[1] == BlockTexel{1, 1, 1, (255 * 34 + 32) / 64});
+  CHECK(decoded(BlockCode::bc7, std::vector<unsigned>(16, 0))[3] == BlockTexel{0, 0, 0, 0});
   std::vector<unsigned> reserved(16, 0xff);
   reserved[0] = 0;
-  for (const Texel& texel : decoded(BlockCode::bc7, reserved)) CHECK(texel == Texel{0, 0, 0, 0});
+  for (const BlockTexel& texel : decoded(BlockCode::bc7, reserved)) CHECK(texel == BlockTexel{0, 0, 0, 0});
 }
 
 TEST_CASE("OpenImageIO decodes 100,000 random blocks of each format alike") {
@@ -139,7 +139,7 @@ TEST_CASE("OpenImageIO decodes 100,000 random blocks of each format alike") {
 
 TEST_CASE("KTX2 and DDS files of every format in blocks are read with all levels, whatever their size") {
   for (const BlockFormat& format : block_formats)
-    for (const auto& [width, height] : sizes)
+    for (const auto& [width, height] : block_sizes)
       for (const bool srgb : {false, true}) {
         if (srgb && format.vk_srgb == 0) continue;
         CAPTURE(format.name, width, height, srgb);
