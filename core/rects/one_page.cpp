@@ -172,18 +172,25 @@ class FreeSearch {
     }
   }
 
-  // A smaller page than `bound` of its width, by other orders of the rectangles; only of few rectangles, of which a try
-  // takes little, where some of the page is empty.
+  // A smaller page than `bound`, of its width or of another that looked good, by other orders of the rectangles; only of
+  // few rectangles, of which a try takes little, where some of the page is empty.
   void climb(const Best& bound, Best& best) {
     constexpr int most_climbed = 400, effort = 1000;
     constexpr double full = 0.995;
     if (set_.size() > most_climbed || set_.items.front() == set_.items.back() ||
         static_cast<double>(set_.area) >= full * bound.width * bound.height)
       return;
-    budget_.allow(effort);
-    Best found;
-    search_.climb(family_below(bound.width, bound), found);
-    keep(std::move(found), best);
+    std::vector<int> widths{bound.width};
+    for (const Width& each : seen_)
+      if (each.width != bound.width) widths.push_back(each.width);
+    Best at_best = bound;
+    for (const int width : widths) {
+      budget_.allow(effort);
+      Best found;
+      search_.climb(family_below(width, at_best), found);
+      keep(std::move(found), at_best);
+    }
+    keep(std::move(at_best), best);
   }
 
   void keep(Best&& found, Best& best) const {
@@ -195,7 +202,8 @@ class FreeSearch {
  private:
   static constexpr std::size_t finalists = 6;
   static constexpr int look_effort = 12;
-  static int part(int effort) { return std::max(1, effort / 3); }
+  // Of few rectangles a try takes little, so that more of them pay.
+  int part(int effort) const { return set_.size() <= most_few ? 4 * effort / 3 : std::max(1, effort / 3); }
 
   Family family_of(int width) const {
     Family family;
