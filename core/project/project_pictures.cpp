@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <system_error>
 
@@ -144,6 +145,17 @@ std::optional<Image> light_picture(const ProjectMaterial& material, Channel chan
                                       : occlusion_floats(*source, material.name, door);
 }
 
+namespace {
+
+// A map of two channels, as BC5 has them: blue is 0 all over, and z follows from the other two.
+bool is_of_two(const Image8& codes) {
+  for (std::size_t i = 2; i < codes.values.size(); i += static_cast<std::size_t>(codes.channels))
+    if (codes.values[i] != 0) return false;
+  return true;
+}
+
+}  // namespace
+
 Image normal_picture(const ProjectMaterial& material, const PictureDoor& door, int most_side) {
   const auto& source = material.texture(Channel::normal);
   if (!source) return {};
@@ -152,14 +164,19 @@ Image normal_picture(const ProjectMaterial& material, const PictureDoor& door, i
     throw Error::at(source->path, std::to_string(codes.channels) + " channels", "a normal map of three");
   const int longest = std::max(codes.width, codes.height);
   const int step = std::max(1, (longest + most_side - 1) / most_side);
+  const bool of_two = is_of_two(codes);
   Image out((codes.width + step - 1) / step, (codes.height + step - 1) / step, 4, 1);
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {
       std::array<double, 3> sum{};
       int count = 0;
       for (int v = y * step; v < std::min(codes.height, (y + 1) * step); ++v)
-        for (int u = x * step; u < std::min(codes.width, (x + 1) * step); ++u, ++count)
-          for (std::size_t c = 0; c < 3; ++c) sum[c] += 2 * codes.at(u, v)[c] / 255.0 - 1;
+        for (int u = x * step; u < std::min(codes.width, (x + 1) * step); ++u, ++count) {
+          std::array<double, 3> normal;
+          for (std::size_t c = 0; c < 3; ++c) normal[c] = 2 * codes.at(u, v)[c] / 255.0 - 1;
+          if (of_two) normal[2] = std::sqrt(std::max(0.0, 1 - normal[0] * normal[0] - normal[1] * normal[1]));
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += normal[c];
+        }
       if (material.green_down) sum[1] = -sum[1];
       for (std::size_t c = 0; c < 3; ++c) out.at(x, y)[c] = static_cast<float>(sum[c] / count);
     }

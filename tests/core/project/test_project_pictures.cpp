@@ -223,3 +223,18 @@ TEST_CASE("a metal-rough set comes out as diffuse, F0 and gloss, by glTF's meani
   both.replace(both.find("\"occlusion\""), 11, "\"gloss\"");
   CHECK_THROWS_WITH(parse_project(both, "p.json"), Catch::Contains("both \"gloss\" and \"roughness\""));
 }
+
+TEST_CASE("a normal map of two channels gets its third component from them") {
+  const TempFolder folder;
+  Image8 codes(4, 4, 3);
+  for (std::size_t i = 0; i < codes.values.size(); i += 3) {
+    codes.values[i] = 204;  // 0.6
+    codes.values[i + 1] = 128;
+  }
+  save_png(folder.file("two.png"), codes);
+  ProjectMaterial m;
+  m.texture(Channel::normal) = ImageSource{folder.file("two.png"), "", ""};
+  const Image normal = normal_picture(m, picture_door(), 4);
+  CHECK(double{normal.at(1, 1)[0]} == Approx(0.6));
+  CHECK(double{normal.at(1, 1)[2]} == Approx(0.8).epsilon(1e-4));
+}
