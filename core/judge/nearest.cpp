@@ -26,6 +26,12 @@ std::string hash_of(const MaterialLibrary& library) {
   return hash.hex();
 }
 
+// F0 is computed as the textures mean it: in linear sRGB, without other options.
+const F0Solver& usual_solver() {
+  static const F0Solver solver{F0Options{}};
+  return solver;
+}
+
 KnownF0 known_f0(const Material& material, const Dataset& dataset, const F0Result& f0) {
   return {material.id,
           material.name,
@@ -42,14 +48,13 @@ KnownF0 known_f0(const Material& material, const Dataset& dataset, const F0Resul
 }
 
 std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
-  const F0Solver solver{F0Options{}};
   std::vector<KnownF0> known;
   for (std::size_t i = 0; i < library.ids().size(); ++i) {
     const Material material = library.at(i);
     if (!gives_f0(material.material_class)) continue;
     for (std::size_t d = 0; d < material.datasets.size(); ++d) {
       const Dataset& dataset = material.datasets[d];
-      const F0Result f0 = solve(solver, material, dataset);
+      const F0Result f0 = solve(usual_solver(), material, dataset);
       // A doubtful dataset excuses no texture, unless it is the preferred one, because there is none better.
       if (f0.refused() || (f0.flags.has(Flag::doubtful) && d != material.preferred)) continue;
       known.push_back(known_f0(material, dataset, f0));
@@ -107,7 +112,7 @@ std::optional<KnownF0> KnownMaterials::total_of(std::string_view material) const
   const auto match = material.empty() ? std::nullopt : library_.find(material);
   if (!match || gives_f0(match->material_class)) return std::nullopt;
   const Dataset& dataset = match->datasets[match->preferred];
-  const F0Result total = solve(F0Solver{F0Options{}}, *match, dataset);
+  const F0Result total = solve(usual_solver(), *match, dataset);
   if (total.refused()) return std::nullopt;
   const TotalReflectance parts = divided(total.srgb_linear);
   KnownF0 out = known_f0(*match, dataset, total);
@@ -122,9 +127,8 @@ std::optional<NamedBand> named_band(const Material& material, std::span<const Kn
                                     const std::array<double, 3>& linear, TextureTransfer transfer,
                                     double codes) {
   constexpr double step = 0.005;  // of 8 bits
-  static const F0Solver solver{F0Options{}};
-  const F0Result stated = solve(solver, material, material.preferred_dataset());
-  const auto band = material_band(solver, material, material.preferred_dataset(), stated).band;
+  const F0Result stated = solve(usual_solver(), material, material.preferred_dataset());
+  const auto band = material_band(usual_solver(), material, material.preferred_dataset(), stated).band;
   if (!band) return std::nullopt;
   const auto is_of_another = [&](const KnownF0& other) {
     return other.preferred && other.conductor && other.id != material.id &&

@@ -21,10 +21,7 @@ void write_luxcore(const TargetJob& j) {
     note_residual(j, index);
     j.add("n", index.n, plain_text);
     j.add("k", index.k, plain_text);
-    j.shows([&](double cosine) {
-      return Vec3{luxcore_f(index.n.r, index.k.r, cosine), luxcore_f(index.n.g, index.k.g, cosine),
-                  luxcore_f(index.n.b, index.k.b, cosine)};
-    });
+    j.shows_conductor(index.n, index.k, luxcore_f);
     if (!j.s.spectrum.empty())
       j.note("n and k of each channel give F0 and F82; from spectra LuxCore would make n and k of its own");
   } else if (j.clear()) {

@@ -82,12 +82,11 @@ struct TargetJob {
       return f;
     });
   }
-  /// Fresnel's equations with an n and k of each channel.
-  void shows_conductor(const LinearRgb& n, const LinearRgb& k) const {
-    shows([&](double cosine) {
-      return Vec3{f64::fresnel_exact(n.r, k.r, cosine), f64::fresnel_exact(n.g, k.g, cosine),
-                  f64::fresnel_exact(n.b, k.b, cosine)};
-    });
+  /// F with an n and k of each channel.
+  ///   f   of n, k and the cosine of incidence: Fresnel's equations, or what a renderer has in their place
+  void shows_conductor(const LinearRgb& n, const LinearRgb& k,
+                       double (*f)(double n, double k, double cosine) = f64::fresnel_exact) const {
+    shows([&](double cosine) { return Vec3{f(n.r, k.r, cosine), f(n.g, k.g, cosine), f(n.b, k.b, cosine)}; });
   }
   /// Fresnel's equations of an index, times a colour.
   void shows_dielectric(double ior, const LinearRgb& tint = {1, 1, 1}) const {

@@ -218,8 +218,9 @@ JudgedLook SceneCheck::judge(const SceneLook& look, LoadedPictures pictures,
   if (evidence.b && !second) evidence.b->header.channels = evidence.metal_rough ? 3 : 4;
   etak::judge(part, evidence, settings, out.file);
   const bool textured = leading_texture(material) != nullptr;
-  // Rules on pictures know no names: of numbers that are those of the measured material so called, they say nothing.
-  if (!textured && std::ranges::all_of(look.materials, [&](int user) {
+  // Rules on pictures do not know the material's name. Numbers that are those of the measured material of that name
+  // are no mistake.
+  if (!textured && !out.file.findings.empty() && std::ranges::all_of(look.materials, [&](int user) {
         return is_as_measured(known_materials(settings), surfaces_[static_cast<std::size_t>(user)]);
       }))
     out.file.findings.clear();
