@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "core/rects/pack.h"
@@ -108,13 +109,27 @@ struct Width {
   std::int64_t area;  // of the page that the first look found
 };
 
+// The largest different widths but for the widest.
+std::vector<int> widest_sides(const Set& set) {
+  constexpr std::size_t most = 4;
+  std::vector<int> out;
+  for (const RectSize& item : set.items) out.push_back(item.width);
+  std::ranges::sort(out, std::greater());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  if (!out.empty()) out.erase(out.begin());
+  out.resize(std::min(out.size(), most));
+  return out;
+}
+
 // Widths from half to twice the side of a full square, where long thin pages begin.
 std::vector<int> widths_to_try(const Set& set, const Frame& frame, bool rotate) {
   std::vector<int> out;
   const double middle = std::sqrt(static_cast<double>(set.area));
   const int least = std::max(1, rotate ? set.longest_short_side : set.widest);
   for (int k = -8; k <= 8; ++k) out.push_back(static_cast<int>(std::ceil(middle * std::exp2(k / 16.0))));
-  for (const int side : {set.widest, set.tallest, 2 * set.widest})
+  std::vector<int> sides{set.widest, set.tallest, 2 * set.widest};
+  for (const int other : widest_sides(set)) sides.push_back(set.widest + other);
+  for (const int side : sides)
     if (side > middle / 2 && side < middle * 2) out.push_back(side);
   for (int& width : out) {
     width = std::clamp(width, least, std::max(least, frame.largest));
