@@ -64,6 +64,7 @@ void NormalFacts::add(const NormalFacts& o) {
   below += o.below;
   outside += o.outside;
   flat += o.flat;
+  nearly_flat += o.nearly_flat;
   for (std::size_t c = 0; c < 3; ++c) {
     least[c] = std::min(least[c], o.least[c]);
     most[c] = std::max(most[c], o.most[c]);
@@ -143,9 +144,14 @@ void add_normals(NormalFacts& facts, const std::uint8_t* rgba, int width) {
   }
   if (facts.most[2] < 254) return;
   for (std::size_t i = 0; i < texels; ++i, rgba += 4) {
-    const bool is_flat =
-        rgba[2] >= 254 && (rgba[0] == 127 || rgba[0] == 128) && (rgba[1] == 127 || rgba[1] == 128);
-    if (!is_flat) continue;
+    const auto is_within = [&](int least, int most) {
+      return std::min(rgba[0], rgba[1]) >= least && std::max(rgba[0], rgba[1]) <= most;
+    };
+    if (rgba[2] < 254 || !is_within(126, 129)) continue;
+    if (!is_within(127, 128)) {
+      ++facts.nearly_flat;
+      continue;
+    }
     ++facts.flat;
     for (std::size_t axis = 0; axis < 2; ++axis) ++facts.flat_codes[axis][rgba[axis] - 127u];
   }
@@ -186,7 +192,7 @@ bool is_constant(const NormalFacts& facts) {
 }
 
 bool is_flat_in_two_codes(const NormalFacts& facts) {
-  if (facts.flat == 0 || 10 * facts.flat < facts.texels) return false;
+  if (facts.flat == 0 || 10 * facts.flat < facts.texels || 2 * facts.nearly_flat > facts.flat) return false;
   return std::ranges::any_of(facts.flat_codes, [&](const auto& counts) {
     return 100 * counts[0] >= facts.flat && 100 * counts[1] >= facts.flat;
   });

@@ -29,6 +29,7 @@ struct NormalFacts {
   // Texels of the flattest codes, x and y 127 or 128 and z 254 or 255: by x and by y, those of 127 and 128.
   std::uint64_t flat = 0;
   std::array<std::array<std::uint64_t, 2>, 2> flat_codes{};
+  std::uint64_t nearly_flat = 0;           // a code further from flat than these, on one axis or both
   std::array<std::int64_t, 3> sum{};       // of 2 c - 255
   std::int64_t shortest = 0, longest = 0;  // squared lengths, of 255 * 255; 0 where there are no texels
 
@@ -59,7 +60,8 @@ bool is_constant(const NormalFacts& facts);
 
 /// Whether flat areas have code 127 in some places and 128 in others, on one axis: each on at least a
 /// hundredth of the flat texels, and these on a tenth of the map. The two differ by 0.45 degrees, which shows
-/// as an edge in mirrors.
+/// as an edge in mirrors. A gentle relief runs through both codes and those beside them, and has no flat areas:
+/// half as many texels are nearly flat.
 bool is_flat_in_two_codes(const NormalFacts& facts);
 
 }  // namespace etak

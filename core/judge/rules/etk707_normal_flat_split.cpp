@@ -11,7 +11,7 @@ constinit const Rule etk707_normal_flat_split{
     .needs = {Need::maps},
     .source = "A code stands for 2 c / 255 - 1: 0 lies between 127 and 128, which are 0.45 degrees apart",
     .what =
-        "A tenth of the map or more has the flattest codes, and on one axis a hundredth of these or more has code 127 and as much code 128.",
+        "A tenth of the map or more has the flattest codes, and on one axis a hundredth of these or more has code 127 and as much code 128; fewer than half as many texels are a code further from flat, as a gentle relief has them.",
     .why = "The step shows as an edge in mirrors and polished metal.",
     .example = "Tiles baked by two programs, one of which rounds 127.5 down.",
     .fix = "Use 128 (or 127) for flat in all of the map.",
