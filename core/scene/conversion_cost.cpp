@@ -87,10 +87,10 @@ Look look_of(const DiffuseSpecular& texel, double gloss, double alpha, double re
   return out;
 }
 
-///   count   of the values that are looked at
-double largest_difference(const Look& a, const Look& b, std::size_t count) {
+// Of the values from `begin` to before `end`.
+double largest_difference(const Look& a, const Look& b, std::size_t begin, std::size_t end) {
   double out = 0;
-  for (std::size_t c = 0; c < count; ++c) out = std::max(out, std::abs(a[c] - b[c]));
+  for (std::size_t c = begin; c < end; ++c) out = std::max(out, std::abs(a[c] - b[c]));
   return out;
 }
 
@@ -271,6 +271,7 @@ class Compared {
   Compared(const Sources& sources, const MaterialPair& pair, const GltfSampler& sampler,
            const std::uint8_t* used)
       : sources_(sources),
+        pair_(pair),
         a_(pair.diffuse_alpha, sampler, true),
         b_(pair.specular_gloss, sampler, true),
         width_(pair.diffuse_alpha.width),
@@ -298,6 +299,26 @@ class Compared {
     return out;
   }
 
+  // The largest difference of diffuse light at the centres of texels whose F0 is bright, where it is more than a code.
+  double worst_light() const {
+    constexpr int least_bright =
+        200;  // codes of F0 below which the rounding of codes cannot make a code of light
+    double out = 0;
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) {
+        if (used_ != nullptr && used_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                      static_cast<std::size_t>(x)] == 0)
+          continue;
+        const auto f0 = pair_.specular_gloss.at(x, y), diffuse = pair_.diffuse_alpha.at(x, y);
+        if (std::max({f0[0], f0[1], f0[2]}) < least_bright ||
+            std::max({diffuse[0], diffuse[1], diffuse[2]}) == 0)
+          continue;
+        out =
+            std::max(out, difference((x + 0.5) / width_, (y + 0.5) / height_, Look{}.size(), without_light));
+      }
+    return out > 1 ? out : 0;
+  }
+
  private:
   static std::vector<double> places(int size, double shift, Wrap wrap) {
     std::vector<double> out;
@@ -321,15 +342,16 @@ class Compared {
     return false;
   }
 
-  double difference(double u, double v, std::size_t values) const {
+  double difference(double u, double v, std::size_t end, std::size_t begin = 0) const {
     const auto diffuse = a_.at(u, v), specular = b_.at(u, v);
     const Vec3 f0{specular[0], specular[1], specular[2]};
     const Look of_pair = look_of({{diffuse[0], diffuse[1], diffuse[2]}, f0}, specular[3],
                                  sources_.alpha_of(diffuse[3]), largest_channel(f0));
-    return largest_difference(sources_.at(u, v), of_pair, values);
+    return largest_difference(sources_.at(u, v), of_pair, begin, end);
   }
 
   const Sources& sources_;
+  const MaterialPair& pair_;
   const Magnified a_, b_;
   const int width_, height_;
   const GltfSampler sampler_;
@@ -350,7 +372,7 @@ ConversionCost conversion_cost(const GltfMaterial& material, const SceneImages<s
   const bool varies = material.specular_texture || material.specular_color_texture;
   if (!material.specular_glossiness && !varies) out.partial = of_partly_metal(material, pair, used);
   const std::vector<const GltfTexture*> textures = replaced_textures(material);
-  if (textures.size() < 2 && !varies) return out;
+  if (textures.empty() || (textures.size() < 2 && !varies && !material.specular_glossiness)) return out;
   const Sources sources{material, images, gloss};
   const Compared compared(sources, pair, textures.front()->sampler, used);
   std::vector<std::string> sizes;
@@ -368,6 +390,7 @@ ConversionCost conversion_cost(const GltfMaterial& material, const SceneImages<s
       out.resized = std::max(out.resized, compared.worst(4 * width, 4 * height));
   }
   if (is_resized) out.sizes = joined(sizes, " and ");
+  if (material.specular_glossiness && !is_resized) out.behind = compared.worst_light();
   if (varies)
     out.between = compared.worst_everywhere();
   else if (!is_resized && !material.specular_glossiness && material.metallic > 0 &&
@@ -396,6 +419,9 @@ std::optional<std::string> sentence_of(const ConversionCost& cost) {
   if (cost.tinted >= ConversionCost::least_told)
     parts.push_back("F0 of metal, which vertex colours no longer multiply, differs by up to " +
                     codes(cost.tinted));
+  if (cost.behind >= ConversionCost::least_told)
+    parts.push_back("diffuse light behind F0 near white, whose codes are rounded, differs by up to " +
+                    codes(cost.behind));
   return "as diffuse and F0 it is not quite what it was: " + joined(parts, "; ");
 }
 

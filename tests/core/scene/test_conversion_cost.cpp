@@ -165,3 +165,31 @@ TEST_CASE("textures of two sizes: what only places beyond a clamped edge read co
   std::fill(used.end() - 8, used.end(), std::uint8_t{1});
   CHECK(subject.cost(used).resized == Approx(25).margin(1));
 }
+
+TEST_CASE(
+    "light behind F0 near white that codes of F0 no longer hold is told, and not where F0 is the texture's own") {
+  GltfMaterial m;
+  m.specular_glossiness = true;
+  m.diffuse_texture = GltfTexture{0, {}, 0, {}};
+  m.specular_glossiness_texture = GltfTexture{1, {}, 0, {}};
+  const Image8 diffuse(4, 4, 4, 232), specular(4, 4, 4, 254);
+  const auto cost_of = [&](double factor) {
+    m.specular_f0 = {factor, factor, factor};
+    const SceneImages<std::uint8_t> images = [&](int image) -> const Image8& {
+      return image == 0 ? diffuse : specular;
+    };
+    std::size_t clamped = 0;
+    const MaterialPair pair = scene_material_pair(m, images, GlossForm::one_minus_roughness, false, clamped);
+    return conversion_cost(m, images, pair, GlossForm::one_minus_roughness, nullptr);
+  };
+  CHECK(cost_of(1).is_exact());
+  // 0.969 of code 254 is code 250.5, which 251 or 250 stand for.
+  const double light = srgb_decode(232 / 255.0), f0 = 0.969 * srgb_decode(254 / 255.0),
+               stored = srgb_decode(std::round(255 * srgb_encode(f0)) / 255);
+  const ConversionCost cost = cost_of(0.969);
+  CHECK(cost.behind ==
+        Approx(std::abs(code_of(light * (1 - f0)) - code_of(light * (1 - stored)))).margin(1e-4));
+  CHECK(cost.behind > 2);
+  CHECK(contains(sentence_of(cost).value_or(""), "behind F0 near white"));
+  CHECK(cost_of(0.5).is_exact());
+}
