@@ -23,7 +23,6 @@ constexpr double radius_per_scale = 6;
 constexpr double least_scale = 0.05, eight_bit_scale = 0.3;
 constexpr double listed_probability = 0.9;
 constexpr std::size_t least_listed = 3;
-constexpr double largest_channel = 1.1;
 
 double square(double x) {
   return x * x;
@@ -51,7 +50,7 @@ void check_asked(const AskedColour& asked, std::string_view place) {
   for (const auto& colour : {std::optional(asked.f0), asked.f82}) {
     if (!colour) continue;
     for (const double channel : vec(*colour))
-      if (!(channel >= 0 && channel <= largest_channel))
+      if (!(channel >= 0 && channel <= largest_asked))
         throw Error::at(place, "a linear channel of " + number(channel, 6), "0 to 1.1");
   }
 }

@@ -18,8 +18,11 @@ namespace etak {
 // nine-tenths radius. The form and the sixth were chosen once on the publications that the library holds;
 // resources/doc/uncertainty.md says how well probabilities and shares agree.
 
+/// The largest linear channel of a colour that is asked for; the least is 0.
+inline constexpr double largest_asked = 1.1;
+
 /// What is asked.
-///   f0          linear sRGB, each channel within [0, 1.1]
+///   f0          linear sRGB, each channel within [0, largest_asked]
 ///   f82         reflectance at cosine 1/7, as a second witness
 ///   eight_bit   the colour was rounded to 8 bits, so that differences below a code say nothing
 struct AskedColour {
@@ -52,7 +55,7 @@ struct Identified {
   std::vector<std::vector<std::size_t>> groups;
 };
 
-/// Throws Error (with `place`) for a colour that is outside of [0, 1.1].
+/// Throws Error (with `place`) for a colour that is outside of [0, largest_asked].
 void check_asked(const AskedColour& asked, std::string_view place);
 
 /// A prior: weights by material; those that it does not name have 1.

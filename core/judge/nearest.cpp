@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "core/base/hash/content_hash.h"
+#include "core/base/number.h"
+#include "core/base/text/text.h"
 #include "core/certainty/publications.h"
 #include "core/color/delta_e.h"
 #include "core/judge/pixels/code_tables.h"
@@ -44,7 +47,8 @@ KnownF0 known_f0(const Material& material, const Dataset& dataset, const F0Resul
           std::holds_alternative<Stack>(dataset.optics),
           {f0.srgb_linear.r, f0.srgb_linear.g, f0.srgb_linear.b},
           f0.f82,
-          f0.luminance};
+          f0.luminance,
+          {}};
 }
 
 std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
@@ -57,7 +61,9 @@ std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
       const F0Result f0 = solve(usual_solver(), material, dataset);
       // A doubtful dataset excuses no texture, unless it is the preferred one, because there is none better.
       if (f0.refused() || (f0.flags.has(Flag::doubtful) && d != material.preferred)) continue;
-      known.push_back(known_f0(material, dataset, f0));
+      KnownF0& entry = known.emplace_back(known_f0(material, dataset, f0));
+      if (entry.common && entry.preferred)
+        entry.band = material_band(usual_solver(), material, dataset, f0).band;
     }
   }
   return known;
@@ -145,6 +151,55 @@ std::optional<NamedBand> KnownMaterials::band_around(std::string_view material,
   return match ? named_band(*match, f0(), linear, transfer, codes) : std::nullopt;
 }
 
+std::string dataset_in_zone(const NamedDataset& dataset) {
+  std::vector<std::string> at;
+  for (const auto& [id, luminance] : dataset.others) at.push_back(number(luminance, 2) + " (" + id + ")");
+  return "this dataset (" + dataset.dataset + ") lies in the zone" +
+         (at.empty() ? "" : "; " + dataset.material + "'s others at " + joined(at));
+}
+
+std::optional<NamedDataset> KnownMaterials::dataset_around(std::string_view material,
+                                                           const std::array<double, 3>& linear,
+                                                           TextureTransfer transfer, double codes) const {
+  const auto match = material.empty() ? std::nullopt : library_.find(material);
+  if (!match || !gives_f0(match->material_class)) return std::nullopt;
+  NamedDataset out{match->id, {}, 0, {}};
+  std::optional<std::size_t> nearest;
+  for (const Dataset& each : match->datasets) {
+    const F0Result f0 = solve(usual_solver(), *match, each);
+    if (f0.refused() || !each.doubtful.empty()) continue;
+    const bool trusted = !f0.flags.has(Flag::doubtful) || &each == &match->preferred_dataset() ||
+                         (each.origin == Origin::measured && !each.citation.authors.empty());
+    const double distance = code_distance(linear, known_f0(*match, each, f0), transfer);
+    if (trusted && distance <= codes) {
+      codes = distance;
+      nearest = out.others.size();
+    }
+    out.others.emplace_back(each.id, f0.luminance);
+  }
+  if (!nearest) return std::nullopt;
+  const auto own = out.others.begin() + static_cast<std::ptrdiff_t>(*nearest);
+  std::tie(out.dataset, out.luminance) = *own;
+  out.others.erase(own);
+  return out;
+}
+
+std::string KnownMaterials::could_be(const std::array<double, 3>& linear) const {
+  constexpr double least_told = 0.1;
+  constexpr std::size_t most_told = 3;
+  AskedColour asked{{linear[0], linear[1], linear[2]}, {}, true};
+  for (const double channel : linear)
+    if (!(channel >= 0 && channel <= largest_asked)) return {};
+  identifies_.call([this] { identifier_.emplace(library_, usual_solver(), std::vector<std::string>{}, 1); });
+  const Identified answer = identifier_->identify(asked);
+  if (answer.verdict == ColourVerdict::none) return {};
+  std::vector<std::string> names;
+  for (const PossibleMaterial& each : answer.candidates)
+    if (each.p >= least_told && names.size() < most_told)
+      names.push_back(each.entry->material.id + " (p " + fixed(each.p, 2) + ")");
+  return names.empty() ? "" : "could be " + joined(names, " or ");
+}
+
 const KnownMaterials& known_materials(const Settings& settings) {
   return settings.known ? *settings.known : KnownMaterials::builtin();
 }
@@ -159,6 +214,12 @@ double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, 
 
 double delta_e_of(const std::array<double, 3>& linear, const KnownF0& entry) {
   return delta_e2000(clipped_lab(linear), clipped_lab(entry.linear));
+}
+
+bool in_half_band(const std::array<double, 3>& linear, const KnownF0& entry) {
+  constexpr std::size_t least_publications = 3;
+  return entry.band && entry.band->publications >= least_publications &&
+         delta_e_of(linear, entry) <= entry.band->de50;
 }
 
 const KnownF0* nearest_f0(const KnownMaterials& known, const std::array<double, 3>& linear,

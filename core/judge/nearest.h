@@ -7,10 +7,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/once.h"
-#include "core/certainty/bands.h"
+#include "core/certainty/identify.h"
 #include "core/color/rgb.h"
 #include "core/judge/finding.h"
 #include "core/judge/settings.h"
@@ -30,6 +31,7 @@ struct KnownF0 {
   std::array<double, 3> linear{};  // linear sRGB, not clipped
   std::optional<LinearRgb> f82;    // at cos 1/7, where n and k give it
   double luminance = 0;
+  std::optional<Band> band = {};  // of what a common material states
 };
 
 /// The band of a material's stated F0, and whether a colour may be the material's though no dataset is near.
@@ -46,6 +48,18 @@ struct NamedBand {
 std::optional<NamedBand> named_band(const Material& material, std::span<const KnownF0> others,
                                     const std::array<double, 3>& linear, TextureTransfer transfer,
                                     double codes);
+
+/// A dataset of a material, and the other ones.
+///   luminance   of its F0
+///   others      their ids and luminances of F0
+struct NamedDataset {
+  std::string material, dataset;
+  double luminance = 0;
+  std::vector<std::pair<std::string, double>> others;
+};
+
+/// "this dataset (palm-2018) lies in the zone; titanium's others at 0.59 (johnson-1974)".
+std::string dataset_in_zone(const NamedDataset& dataset);
 
 /// The materials of one library, by which textures are judged.
 class KnownMaterials {
@@ -72,6 +86,15 @@ class KnownMaterials {
   std::optional<NamedBand> band_around(std::string_view material, const std::array<double, 3>& linear,
                                        TextureTransfer transfer, double codes) const;
 
+  /// The dataset of a material (id, alias or name) within `codes` of a colour, the nearest. One that is doubtful only because
+  /// it lies far from the others counts where it was measured and is cited.
+  std::optional<NamedDataset> dataset_around(std::string_view material, const std::array<double, 3>& linear,
+                                             TextureTransfer transfer, double codes) const;
+
+  /// Which materials a colour could be: those of `identify` without its probabilities below 0.1, at most three, as
+  /// "could be titanium (p 0.52) or tin (p 0.20)"; empty where the colour lies outside of every band or of [0, 1.1].
+  std::string could_be(const std::array<double, 3>& linear) const;
+
   /// Whether the library has a material of that id, alias or name; those without a specular F0, such as paper, too.
   bool has(std::string_view material) const {
     return !material.empty() && library_.find(material).has_value();
@@ -82,8 +105,9 @@ class KnownMaterials {
 
   MaterialLibrary library_;
   std::string hash_;
-  mutable Once computed_;
+  mutable Once computed_, identifies_;
   mutable std::vector<KnownF0> f0_;
+  mutable std::optional<Identifier> identifier_;
 };
 
 /// The materials that the settings name, else the built-in ones.
@@ -94,6 +118,10 @@ double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, 
 
 /// CIEDE2000 between a linear colour and the F0 of an entry, both clipped to [0, 1].
 double delta_e_of(const std::array<double, 3>& linear, const KnownF0& entry);
+
+/// Whether half of new publications of a common material would lie as near to its stated F0 as a linear colour does. Only of
+/// three publications or more: the band of fewer is that of their class.
+bool in_half_band(const std::array<double, 3>& linear, const KnownF0& entry);
 
 /// The entry of the least such difference.
 ///   wanted   which entries count; null: none of them does

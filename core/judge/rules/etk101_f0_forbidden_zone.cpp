@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <optional>
+#include <string>
+#include <utility>
 
 #include "core/base/number.h"
 #include "core/judge/rules/rows.h"
@@ -36,35 +37,43 @@ bool is_flat(const RuleCheck& check, const TileEvidence& tile, const Plateau& pl
 
 struct PlateauVerdict {
   Severity severity;
-  const KnownF0* softener = nullptr;  // the common material that makes a warning of it
-  std::optional<Band> band = {};      // of the named material, in which it lies
+  std::string reason;  // why it is no error; empty: it is one
 };
+
+// "; no error, because it is within 3 codes of graphite, which is common (2 publications; ...)".
+std::string softened_by(const KnownF0& common, bool near, double codes) {
+  return "; no error, because it " +
+         (near ? "is within " + number(codes, 2) + " codes of " + common.id
+               : "lies where half of new publications of " + common.id + " would") +
+         ", which is common" + (common.band ? " (" + words(*common.band) + ")" : "");
+}
 
 // The severity of a plateau. A common material of the zone at that colour lowers an error to a warning; a
 // material that the file names lowers it to information.
 PlateauVerdict verdict_on(const RuleCheck& check, const TileEvidence& tile, const Plateau& plateau) {
-  if (is_half_metal(check, plateau)) return {check.at_most(Severity::warning)};
+  if (is_half_metal(check, plateau)) return {check.at_most(Severity::warning), {}};
   const ZoneSettings& zone = check.settings.zone;
   const KnownMaterials& known = known_materials(check.settings);
-  const std::vector<const KnownF0*> named = known.f0_of(tile.tile.material);
-  if (const auto band = known.band_around(tile.tile.material, plateau.specular, check.settings.transfer,
-                                          check.parameter("match_bytes"));
+  const double codes = check.parameter("match_bytes");
+  const TextureTransfer transfer = check.settings.transfer;
+  const auto is_in_zone = [&](double luminance) { return luminance > zone.low && luminance < zone.high; };
+  if (const auto own = known.dataset_around(tile.tile.material, plateau.specular, transfer, codes);
+      own && is_in_zone(own->luminance))
+    return {check.at_most(Severity::info), "; information: " + dataset_in_zone(*own)};
+  if (const auto band = known.band_around(tile.tile.material, plateau.specular, transfer, codes);
       band && band->holds)
-    return {check.at_most(Severity::info), nullptr, band->band};
-  double nearest = check.parameter("match_bytes");
-  PlateauVerdict out{check.severity()};
+    return {check.at_most(Severity::info), "; information, because it lies in the band of " +
+                                               tile.tile.material + " (" + words(band->band) + ")"};
+  double nearest = 255;
+  PlateauVerdict out{check.severity(), {}};
   for (const KnownF0& entry : known.f0()) {
-    if (entry.luminance <= zone.low || entry.luminance >= zone.high) continue;
-    const bool is_named = !named.empty() && named.front()->id == entry.id;
-    // Of materials that are not named only common ones count, by their preferred dataset: all datasets
-    // together would excuse a fifth of the greys.
-    if (!is_named && !(entry.preferred && entry.common)) continue;
-    const double distance = code_distance(plateau.specular, entry, check.settings.transfer);
-    if (distance > check.parameter("match_bytes")) continue;
-    if (is_named) return {check.at_most(Severity::info)};
-    if (out.softener != nullptr && distance >= nearest) continue;
+    // Only common ones count, by their preferred dataset: all datasets together would excuse a fifth of the greys.
+    if (!is_in_zone(entry.luminance) || !entry.preferred || !entry.common) continue;
+    const double distance = code_distance(plateau.specular, entry, transfer);
+    const bool near = distance <= codes;
+    if (distance >= nearest || !(near || in_half_band(plateau.specular, entry))) continue;
     nearest = distance;
-    out = {check.at_most(Severity::warning), &entry};
+    out = {check.at_most(Severity::warning), softened_by(entry, near, codes)};
   }
   return out;
 }
@@ -85,7 +94,7 @@ constinit const Rule etk101_f0_forbidden_zone{
         "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors below 0.4564 invalid; thresholds of the region analysis measured on synthetic edges (etak)",
     .what =
         "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 125 to 177 for greys). A warning where the colour is within 3 codes of a common material of the library that lies "
-        "in the zone itself (silicon, graphite, hematite, titanium nitride), information when the file names a material and the colour is that of a dataset in the zone, or lies in the band that holds nine of ten new publications of the material and within 3 codes of no other metal's stated F0, and a warning where a metal-rough set is half "
+        "in the zone itself (silicon, graphite, hematite, titanium nitride), or where half of its new publications would lie (of three known ones or more), information when the file names a material and the colour is that of a dataset in the zone, or lies in the band that holds nine of ten new publications of the material and within 3 codes of no other metal's stated F0, and a warning where a metal-rough set is half "
         "metal (ETK113). Plateaus of less than 0.01 % of a tile's texels are at most a warning. The F0 that a project takes from a cited record is measured and no mistake: it is information, which names the other datasets. Regions, not texels: what filtering makes of an edge between metal and dielectric is left to ETK102. The smallest region is 32 texels and 0.001 % of the tile: a first limit of 0.01 "
         "% would have hidden a patch of 10 x 10 in a tile of 1024 x 1024. Codes are rounded: what lies within half a code of a limit (0.0028 at 0.45, 0.0018 at 0.20) counts as outside, such as Hoffman's "
         "0.200, code 124, and indium antimonide, 0.4492.",
@@ -100,11 +109,11 @@ constinit const Rule etk101_f0_forbidden_zone{
       const ZoneSettings& zone = check.settings.zone;
       for (const auto& [tile, plateaus] : check.regions(RegionKind::zone)) {
         const Plateau* shown = nullptr;
-        PlateauVerdict worst{Severity::off};
+        PlateauVerdict worst{Severity::off, {}};
         for (const Plateau& plateau : plateaus.largest) {
-          const PlateauVerdict verdict = verdict_on(check, tile, plateau);
+          PlateauVerdict verdict = verdict_on(check, tile, plateau);
           if (verdict.severity <= worst.severity) continue;
-          worst = verdict;
+          worst = std::move(verdict);
           shown = &plateau;
         }
         Finding& finding = check.report(tile, plateaus, *shown);
@@ -129,16 +138,13 @@ constinit const Rule etk101_f0_forbidden_zone{
                 "; or the middle of the scale of an input that is no F0, as Unreal's Specular (0.5 there is F0 0.04)";
           if (middle || patch) finding.cause = "possible cause: " + finding.cause;
           if (middle || !patch) finding.message += "; " + finding.cause;
+        } else if (worst.severity > Severity::info) {
+          finding.cause = known_materials(check.settings).could_be(shown->specular);
         }
         if (few && worst.severity > finding.severity)
           finding.message += "; no error, because it is less than " +
                              number(check.parameter("error_share"), 2) + " % of the texels";
-        if (worst.band)
-          finding.message += "; information, because it lies in the band of " + tile.tile.material + " (" +
-                             words(*worst.band) + ")";
-        if (worst.softener != nullptr)
-          finding.message += "; no error, because it is within " + number(check.parameter("match_bytes"), 2) +
-                             " codes of " + worst.softener->id + ", which is common";
+        finding.message += worst.reason;
       }
     }};
 

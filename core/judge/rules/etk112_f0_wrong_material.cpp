@@ -57,11 +57,14 @@ constinit const Rule etk112_f0_wrong_material{
           double distance = 1e9;
           for (const KnownF0* entry : datasets)
             distance = std::min(distance, code_distance(plateau.specular, *entry, check.settings.transfer));
-          if (distance <= check.parameter("distance")) continue;
-          const auto band = known_materials(check.settings)
-                                .band_around(tile.tile.material, plateau.specular, check.settings.transfer,
-                                             check.parameter("distance"));
-          if (band && band->holds) continue;
+          const double codes = check.parameter("distance");
+          if (distance <= codes) continue;
+          const KnownMaterials& known = known_materials(check.settings);
+          const TextureTransfer transfer = check.settings.transfer;
+          const auto band = known.band_around(tile.tile.material, plateau.specular, transfer, codes);
+          if ((band && band->holds) ||
+              known.dataset_around(tile.tile.material, plateau.specular, transfer, codes))
+            continue;
           area += plateau.area;
           if (shown == nullptr) {
             shown = &plateau;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <optional>
+#include <string>
 
 #include "core/base/number.h"
 #include "core/judge/rules/rows.h"
@@ -16,6 +18,17 @@ std::optional<std::size_t> metal_channel(const PictureEvidence& picture) {
   }
   if (picture.role == FileRole::metallic) return 0;
   return picture.role == FileRole::metal_rough ? std::optional<std::size_t>(2) : std::nullopt;
+}
+
+// "as a metal it could be iron (p 0.6)": what the base colour of a plateau is as F0; empty: no material. The plateau's F0 lies
+// between a dielectric's and that.
+std::string metal_that_it_could_be(const RuleCheck& check, const Plateau& plateau) {
+  constexpr double dielectric = 0.04;  // of glTF 2.0
+  std::array<double, 3> base{};
+  for (std::size_t c = 0; c < 3; ++c)
+    base[c] = (plateau.specular[c] - dielectric * (1 - plateau.metallic)) / plateau.metallic;
+  const std::string could = known_materials(check.settings).could_be(base);
+  return could.empty() ? could : "as a metal it " + could;
 }
 
 // Metal that is all over a little less than metal: no texel is what a full metal is.
@@ -59,6 +72,7 @@ constinit const Rule etk113_half_metal{
         finding.nearest.clear();  // a metallic value is no F0
         finding.value = "metallic " + number(largest.metallic, 2);
         finding.limit = "below 0.1 or above 0.9";
+        finding.cause = metal_that_it_could_be(check, largest);
         finding.message = finding.value + " on " + area_text(plateaus.area, tile.counts.texels);
       }
       report_nearly_metal(check);

@@ -40,31 +40,28 @@ bool takes_measured_f0(const ProjectMaterial& material, const MaterialLibrary& l
   return record && gives_f0(record->material_class);
 }
 
-// "; measured: jones; other datasets: smith 0.59, brown 0.57". The numbers are luminances of F0.
+// "; it is measured: this dataset (jones) lies in the zone; titanium's others at 0.59 (smith), 0.57 (brown)".
 std::string measured_text(const MeasuredF0& measured, const MaterialLibrary& library,
                           const KnownMaterials& known) {
   const auto record = library.find(measured.material);
   if (!record) return {};
   const std::string own = dataset_named(*record, measured.dataset, record->id).id;
-  std::string others;
-  const auto add = [&](const std::string& id, double luminance) {
-    others += (others.empty() ? "" : ", ") + id + ' ' + number(luminance, 2);
-  };
+  // An imported record may be of a material that the library has as well: "Ti, Palm 2018" of "Ti".
+  const std::string of = record->name.substr(0, record->name.find(','));
+  NamedDataset out{of, own, 0, {}};
   for (const Dataset& each : record->datasets) {
     MeasuredF0 other = measured;
     other.dataset = each.id;
     if (each.id == own) continue;
     try {
-      add(each.id, luminance_of(vec(find_f0(other, library).result.srgb_linear)));
+      out.others.emplace_back(each.id, luminance_of(vec(find_f0(other, library).result.srgb_linear)));
     } catch (const Error&) {
       continue;  // its data give no F0
     }
   }
-  // An imported record may be of a material that the library has as well: "Ti, Palm 2018" of "Ti".
-  const std::string of = record->name.substr(0, record->name.find(','));
   for (const KnownF0* each : known.f0_of(of))
-    if (each->id != record->id) add(each->id + '/' + each->dataset, each->luminance);
-  return "; it is measured (" + own + ')' + (others.empty() ? "" : "; other datasets: " + others);
+    if (each->id != record->id) out.others.emplace_back(each->id + '/' + each->dataset, each->luminance);
+  return "; it is measured: " + dataset_in_zone(out);
 }
 
 CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary& library,

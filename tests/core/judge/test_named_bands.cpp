@@ -115,3 +115,58 @@ TEST_CASE("a colour of the zone in the band of the named material is information
   CHECK(find(named, "ETK101")->severity == Severity::info);
   CHECK(contains(find(named, "ETK101")->message, "in the band of titanium (4 publications"));
 }
+
+TEST_CASE("an unnamed grey of the zone is no error by bands where it was one by codes, of 55 four are none") {
+  int accepted = 0, told = 0;
+  for (int code = 124; code <= 178; ++code) {
+    const Finding* zone = nullptr;
+    const CheckedFile file = check_set(flat_set(64, {code, code, code}, {30, 30, 30}));
+    if ((zone = find(file, "ETK101")) == nullptr) continue;
+    ++told;
+    accepted += zone->severity < Severity::error;
+  }
+  CHECK(told >= 50);
+  CHECK(accepted == 4);
+}
+
+TEST_CASE(
+    "a colour where half of the publications of a common material would lie is a warning that tells the band") {
+  const CheckedFile near = check_set(flat_set(96, {216, 175, 109}, {30, 30, 30}));
+  REQUIRE(find(near, "ETK101") != nullptr);
+  INFO(find(near, "ETK101")->message);
+  CHECK(find(near, "ETK101")->severity == Severity::warning);
+  CHECK(contains(
+      find(near, "ETK101")->message,
+      "it lies where half of new publications of titanium_nitride would, which is common (4 publications"));
+  const CheckedFile away = check_set(flat_set(96, {206, 175, 122}, {30, 30, 30}));
+  REQUIRE(find(away, "ETK101") != nullptr);
+  CHECK(find(away, "ETK101")->severity == Severity::error);
+}
+
+TEST_CASE(
+    "a measured and cited dataset in the zone is information under its name, with the others of its material") {
+  TextureSet set = flat_set(96, {177, 170, 162}, {30, 30, 30});  // titanium/palm-2018
+  const CheckedFile unnamed = check_set(set);
+  REQUIRE(find(unnamed, "ETK101") != nullptr);
+  CHECK(find(unnamed, "ETK101")->severity == Severity::error);
+  set.manifest.material = "titanium";
+  const CheckedFile named = check_set(set);
+  REQUIRE(find(named, "ETK101") != nullptr);
+  CHECK(find(named, "ETK101")->severity == Severity::info);
+  CHECK(contains(
+      find(named, "ETK101")->message,
+      "this dataset (palm-2018) lies in the zone; titanium's others at 0.59 (johnson-1974), 0.57 ("));
+  CHECK(find(named, "ETK112") == nullptr);
+}
+
+TEST_CASE(
+    "a colour of the zone is told which materials it could be, and half metal what it could be as a metal") {
+  const CheckedFile zone = check_set(flat_set(96, {182, 175, 165}, {30, 30, 30}));
+  REQUIRE(find(zone, "ETK101") != nullptr);
+  CHECK(find(zone, "ETK101")->cause.starts_with("could be "));
+  CHECK(contains(find(zone, "ETK101")->cause, "(p 0."));
+  // Nothing is as green as this.
+  const CheckedFile none = check_set(flat_set(96, {60, 205, 60}, {30, 30, 30}));
+  REQUIRE(find(none, "ETK101") != nullptr);
+  CHECK(find(none, "ETK101")->cause.empty());
+}
