@@ -184,7 +184,7 @@ std::optional<NamedDataset> KnownMaterials::dataset_around(std::string_view mate
   return out;
 }
 
-std::string KnownMaterials::could_be(const std::array<double, 3>& linear) const {
+std::string KnownMaterials::could_be(const std::array<double, 3>& linear, bool metals) const {
   constexpr double least_told = 0.1;
   constexpr std::size_t most_told = 3;
   AskedColour asked{{linear[0], linear[1], linear[2]}, {}, true};
@@ -195,7 +195,8 @@ std::string KnownMaterials::could_be(const std::array<double, 3>& linear) const 
   if (answer.verdict == ColourVerdict::none) return {};
   std::vector<std::string> names;
   for (const PossibleMaterial& each : answer.candidates)
-    if (each.p >= least_told && names.size() < most_told)
+    if (each.p >= least_told && names.size() < most_told &&
+        !(metals && optical_kind(each.entry->material.material_class) != "conductor"))
       names.push_back(each.entry->material.id + " (p " + fixed(each.p, 2) + ")");
   return names.empty() ? "" : "could be " + joined(names, " or ");
 }

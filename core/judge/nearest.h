@@ -93,7 +93,8 @@ class KnownMaterials {
 
   /// Which materials a colour could be: those of `identify` without its probabilities below 0.1, at most three, as
   /// "could be titanium (p 0.52) or tin (p 0.20)"; empty where the colour lies outside of every band or of [0, 1.1].
-  std::string could_be(const std::array<double, 3>& linear) const;
+  ///   metals   only conductors are told
+  std::string could_be(const std::array<double, 3>& linear, bool metals = false) const;
 
   /// Whether the library has a material of that id, alias or name; those without a specular F0, such as paper, too.
   bool has(std::string_view material) const {

@@ -27,7 +27,7 @@ std::string metal_that_it_could_be(const RuleCheck& check, const Plateau& platea
   std::array<double, 3> base{};
   for (std::size_t c = 0; c < 3; ++c)
     base[c] = (plateau.specular[c] - dielectric * (1 - plateau.metallic)) / plateau.metallic;
-  const std::string could = known_materials(check.settings).could_be(base);
+  const std::string could = known_materials(check.settings).could_be(base, true);
   return could.empty() ? could : "as a metal it " + could;
 }
 

@@ -131,14 +131,14 @@ TEST_CASE("an unnamed grey of the zone is no error by bands where it was one by 
 
 TEST_CASE(
     "a colour where half of the publications of a common material would lie is a warning that tells the band") {
-  const CheckedFile near = check_set(flat_set(96, {216, 175, 109}, {30, 30, 30}));
+  const CheckedFile near = check_set(flat_set(96, {208, 170, 108}, {30, 30, 30}));
   REQUIRE(find(near, "ETK101") != nullptr);
   INFO(find(near, "ETK101")->message);
   CHECK(find(near, "ETK101")->severity == Severity::warning);
   CHECK(contains(
       find(near, "ETK101")->message,
       "it lies where half of new publications of titanium_nitride would, which is common (4 publications"));
-  const CheckedFile away = check_set(flat_set(96, {206, 175, 122}, {30, 30, 30}));
+  const CheckedFile away = check_set(flat_set(96, {206, 171, 108}, {30, 30, 30}));
   REQUIRE(find(away, "ETK101") != nullptr);
   CHECK(find(away, "ETK101")->severity == Severity::error);
 }
@@ -166,7 +166,7 @@ TEST_CASE(
   CHECK(find(zone, "ETK101")->cause.starts_with("could be "));
   CHECK(contains(find(zone, "ETK101")->cause, "(p 0."));
   // Nothing is as green as this.
-  const CheckedFile none = check_set(flat_set(96, {60, 205, 60}, {30, 30, 30}));
+  const CheckedFile none = check_set(flat_set(96, {40, 170, 40}, {30, 30, 30}));
   REQUIRE(find(none, "ETK101") != nullptr);
   CHECK(find(none, "ETK101")->cause.empty());
 }
