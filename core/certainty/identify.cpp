@@ -79,6 +79,37 @@ Prior parse_prior(std::string_view text, std::string_view file, const MaterialLi
   return out;
 }
 
+std::vector<std::vector<std::size_t>> not_told_apart(std::span<const BandOfF0> all) {
+  const auto alike = [&](const BandOfF0& a, const BandOfF0& b) {
+    return a.band && b.band && distance(a.stated, b.stated) <= std::min(a.band->de50, b.band->de50);
+  };
+  std::vector<std::vector<std::size_t>> out;
+  std::vector<bool> grouped(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (grouped[i]) continue;
+    std::vector<std::size_t> group{i};
+    for (std::size_t j = i + 1; j < all.size(); ++j)
+      if (!grouped[j] && alike(all[i], all[j])) group.push_back(j);
+    if (group.size() < 2) continue;
+    for (const std::size_t each : group) grouped[each] = true;
+    out.push_back(std::move(group));
+  }
+  return out;
+}
+
+std::vector<BandOfF0> bands_of(std::span<const NearMaterial> found, const F0Solver& solver,
+                               bool axis_average) {
+  std::vector<BandOfF0> out;
+  for (const NearMaterial& each : found) {
+    const auto& [material, result] = *each.entry;
+    const Dataset& stated = material.preferred_dataset();
+    out.push_back({result.srgb_linear, axis_average && !stated.axis.empty()
+                                           ? std::nullopt
+                                           : material_band(solver, material, stated, result).band});
+  }
+  return out;
+}
+
 std::optional<Identifier::Hypothesis> Identifier::hypothesis(Material material, const F0Solver& solver) {
   const Dataset& stated = material.preferred_dataset();
   F0Result f0 = solver.solve(stated.optics);
@@ -155,19 +186,9 @@ Identified Identifier::identify(const AskedColour& asked, const Prior& prior) co
   out.verdict = !inside || all.empty()                         ? ColourVerdict::none
                 : out.candidates.front().p >= sure_probability ? ColourVerdict::sure
                                                                : ColourVerdict::ambiguous;
-  // Candidates that lie in each other's half bands, each in the first group that it fits.
-  std::vector<bool> grouped(listed.size());
-  for (std::size_t i = 0; i < listed.size(); ++i) {
-    if (grouped[i]) continue;
-    std::vector<std::size_t> group{i};
-    for (std::size_t j = i + 1; j < listed.size(); ++j)
-      if (!grouped[j] && distance(listed[i]->entry.result.srgb_linear, listed[j]->entry.result.srgb_linear) <=
-                             std::min(listed[i]->band.de50, listed[j]->band.de50))
-        group.push_back(j);
-    if (group.size() < 2) continue;
-    for (const std::size_t each : group) grouped[each] = true;
-    out.groups.push_back(std::move(group));
-  }
+  std::vector<BandOfF0> stated;
+  for (const Hypothesis* each : listed) stated.push_back({each->entry.result.srgb_linear, each->band});
+  out.groups = not_told_apart(stated);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,8 +48,7 @@ inline constexpr double sure_probability = 0.8;
 
 /// The answer to one colour.
 ///   candidates   the most probable first, until they hold 0.9 together, and at least three (of fewer: all)
-///   groups       indices of candidates that cannot be told apart: half of the new publications of one would lie as far off
-///                as the other's F0; only groups of two or more
+///   groups       not_told_apart()
 struct Identified {
   ColourVerdict verdict = ColourVerdict::none;
   std::vector<PossibleMaterial> candidates;
@@ -63,6 +63,20 @@ using Prior = std::map<std::string, double, std::less<>>;
 /// Reads a CSV with the columns id and weight. Throws Error with file and line, for a weight below 0, for an id that is no
 /// material with a band, and where it names none.
 Prior parse_prior(std::string_view text, std::string_view file, const MaterialLibrary& library);
+
+/// The F0 that a material states, with its band.
+struct BandOfF0 {
+  LinearRgb stated;
+  std::optional<Band> band;
+};
+/// Indices of those that cannot be told apart: half of the new publications of one would lie as far off as the other's F0
+/// does, each in the first group that it fits; only groups of two or more.
+std::vector<std::vector<std::size_t>> not_told_apart(std::span<const BandOfF0> all);
+
+/// The F0 of the materials that nearest_materials() has found, with bands; none of a mean over the axes of a crystal.
+///   solver   as of the catalogue that they are from
+std::vector<BandOfF0> bands_of(std::span<const NearMaterial> found, const F0Solver& solver,
+                               bool axis_average = false);
 
 /// The materials with bands of a library, as hypotheses. Built once, const and shared between threads in use.
 class Identifier {

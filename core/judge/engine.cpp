@@ -335,4 +335,34 @@ Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const C
   return out;
 }
 
+std::vector<FlatColor> flat_colors(std::unique_ptr<RowSource> picture, TextureTransfer transfer,
+                                   unsigned threads) {
+  constexpr double same_codes = 3;
+  Settings settings;
+  settings.transfer = transfer;
+  const CheckTarget target;
+  PassPlan plan = first_plan(target, settings, false, true, false, threads);
+  plan.kinds = {RegionKind::any_f0};
+  plan.fringe = plan.hashes = plan.frames = false;
+  const std::vector<CheckTile> tiles = tiles_of(target, picture->header().width, picture->header().height);
+  PictureRows rows{nullptr, std::move(picture), nullptr};
+  const PassResult found = pixel_pass(rows, tiles, {false}, plan);
+  std::vector<FlatColor> out;
+  for (const Plateau& each : found.tiles.front().region(RegionKind::any_f0)->largest) {
+    const double share = static_cast<double>(each.area) / static_cast<double>(tiles.front().box.area());
+    const auto like = std::ranges::find_if(out, [&](const FlatColor& known) {
+      return code_distance(each.specular, known.linear, transfer) <= same_codes;
+    });
+    if (like == out.end()) {
+      out.push_back({each.specular, share});
+      continue;
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+      like->linear[c] += (each.specular[c] - like->linear[c]) * share / (like->share + share);
+    like->share += share;
+  }
+  std::ranges::stable_sort(out, std::greater{}, &FlatColor::share);
+  return out;
+}
+
 }  // namespace etak

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/image/picture.h"
 #include "core/judge/finding.h"
 #include "core/judge/pixels/evidence.h"
 #include "core/judge/rule.h"
@@ -58,5 +60,16 @@ Settings settings_for(const CheckTarget& target, const Settings& settings);
 /// 1 it is met, but not on a plateau (transition), 2 plateau.
 Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const CheckTarget& target,
                       const Settings& settings);
+
+/// A colour of a picture of F0, in linear light, and the share of the texels whose plateaus have it.
+struct FlatColor {
+  std::array<double, 3> linear{};
+  double share = 0;
+};
+
+/// The colours of a picture's plateaus (regions.h), of the largest 256; those within 3 codes of a larger one are one with it.
+/// Largest first.
+std::vector<FlatColor> flat_colors(std::unique_ptr<RowSource> picture, TextureTransfer transfer,
+                                   unsigned threads);
 
 }  // namespace etak

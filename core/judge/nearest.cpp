@@ -205,12 +205,17 @@ const KnownMaterials& known_materials(const Settings& settings) {
   return settings.known ? *settings.known : KnownMaterials::builtin();
 }
 
-double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, TextureTransfer transfer) {
+double code_distance(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                     TextureTransfer transfer) {
   double distance = 0;
   for (std::size_t c = 0; c < 3; ++c)
-    distance = std::max(distance, std::abs(code_with_fraction(linear[c], transfer) -
-                                           code_with_fraction(entry.linear[c], transfer)));
+    distance =
+        std::max(distance, std::abs(code_with_fraction(a[c], transfer) - code_with_fraction(b[c], transfer)));
   return distance;
+}
+
+double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, TextureTransfer transfer) {
+  return code_distance(linear, entry.linear, transfer);
 }
 
 double delta_e_of(const std::array<double, 3>& linear, const KnownF0& entry) {

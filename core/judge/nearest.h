@@ -114,7 +114,10 @@ class KnownMaterials {
 /// The materials that the settings name, else the built-in ones.
 const KnownMaterials& known_materials(const Settings& settings);
 
-/// Largest channel difference in codes between a linear colour and an entry clipped to [0, 1].
+/// Largest channel difference in codes between linear colours clipped to [0, 1].
+double code_distance(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                     TextureTransfer transfer);
+/// Between a linear colour and an entry.
 double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, TextureTransfer transfer);
 
 /// CIEDE2000 between a linear colour and the F0 of an entry, both clipped to [0, 1].

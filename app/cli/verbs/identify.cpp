@@ -7,13 +7,17 @@
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
+#include "app/cli/pictures/pictures.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/parallel.h"
 #include "core/base/text/text.h"
+#include "core/color/srgb.h"
 #include "core/exchange/table.h"
+#include "core/image/load.h"
+#include "core/judge/engine.h"
 #include "core/material/names.h"
 #include "core/material/stack_text.h"
 #include "core/pages/lists/identify.h"
@@ -23,7 +27,7 @@ namespace {
 
 struct IdentifyArguments {
   std::vector<std::string> color;
-  std::string f82, prior, film, measured, stack;
+  std::string image, f82, prior, film, measured, stack;
   std::vector<std::string> classes, without, oxides;
   bool linear = false;
   F0Settings compute;
@@ -49,7 +53,15 @@ std::vector<std::string> asked_colors(const IdentifyArguments& arguments) {
   return out;
 }
 
-AskedColour asked_color(const std::string& typed, IdentifyArguments& arguments, const F0Solver& solver) {
+/// A colour that is asked about.
+///   share   of a picture's texels
+struct Question {
+  std::string input;
+  AskedColour color;
+  std::optional<double> share = {};
+};
+
+Question question(const std::string& typed, IdentifyArguments& arguments, const F0Solver& solver) {
   AskedColour out;
   if (!arguments.linear && !is_color(typed, arguments.library)) {
     out.f0 = color_of(typed, "", arguments.library, arguments.compute, solver, arguments.output);
@@ -61,11 +73,35 @@ AskedColour asked_color(const std::string& typed, IdentifyArguments& arguments, 
   if (!arguments.f82.empty())
     out.f82 = linear_of(typed_color(arguments.f82, arguments.linear, solver.options()));
   check_asked(out, printable(typed));
+  return {typed, out};
+}
+
+// The colours of a picture's plateaus.
+std::vector<Question> questions_of(const std::string& image, const IdentifyArguments& arguments) {
+  if (!arguments.color.empty() || !arguments.f82.empty())
+    throw Error::at("--image", "beside a colour", "one of them");
+  const auto transfer = arguments.linear ? TextureTransfer::linear : TextureTransfer::srgb;
+  std::vector<Question> out;
+  for (const FlatColor& each :
+       flat_colors(open_picture(image, picture_door()), transfer, thread_count(arguments.threads))) {
+    const LinearRgb color = to_rgb(each.linear);
+    const AskedColour asked{color, {}, true};
+    check_asked(asked, image);
+    out.push_back({image + " " + hex(srgb_u8(color)), asked, each.share});
+  }
+  if (out.empty()) throw Error::at(image, "no flat region", "a picture of F0 with regions of one colour");
+  return out;
+}
+
+std::vector<Question> questions(IdentifyArguments& arguments, const F0Solver& solver) {
+  if (!arguments.image.empty()) return questions_of(arguments.image, arguments);
+  std::vector<Question> out;
+  for (const std::string& typed : asked_colors(arguments)) out.push_back(question(typed, arguments, solver));
   return out;
 }
 
 int identify_colors(IdentifyArguments& arguments, const F0Solver& solver) {
-  const std::vector<std::string> colors = asked_colors(arguments);
+  const std::vector<Question> asked = questions(arguments, solver);
   const MaterialLibrary& library = arguments.library.get();
   const Prior prior =
       arguments.prior.empty() ? Prior{} : parse_prior(read_file(arguments.prior), arguments.prior, library);
@@ -73,8 +109,8 @@ int identify_colors(IdentifyArguments& arguments, const F0Solver& solver) {
   for (auto& [id, material] : materials_without(library, arguments.without))
     identifier.replace(id, std::move(material), solver);
   std::vector<IdentifiedColor> answers;
-  for (const std::string& typed : colors)
-    answers.push_back({typed, identifier.identify(asked_color(typed, arguments, solver), prior)});
+  for (const Question& each : asked)
+    answers.push_back({each.input, identifier.identify(each.color, prior), each.share});
   write_output(arguments.output, arguments.output.format == "json"
                                      ? identify_json(answers)
                                      : identify_text(answers, use_color(arguments.output)));
@@ -91,8 +127,8 @@ int identify_films(IdentifyArguments& arguments, const F0Solver& solver) {
   std::vector<std::string> films = arguments.oxides;
   if (films.empty()) films.assign(usual_films.begin(), usual_films.end());
   std::vector<IdentifiedFilm> answers;
-  for (const std::string& typed : asked_colors(arguments)) {
-    const AskedColour asked = asked_color(typed, arguments, solver);
+  for (const Question& each : questions(arguments, solver)) {
+    const AskedColour& asked = each.color;
     std::vector<std::vector<FilmOnMetal>> found(films.size());
     parallel_chunks(
         films.size(), thread_count(arguments.threads), 1, [&](std::size_t i, std::size_t, unsigned) {
@@ -104,8 +140,8 @@ int identify_films(IdentifyArguments& arguments, const F0Solver& solver) {
             found[i].push_back({stack.media[stack.layers[0].medium].id, stack.media[stack.base].id, fit});
         });
     IdentifiedFilm& answer = answers.emplace_back();
-    answer.input = typed;
-    for (auto& each : found) answer.answers.insert(answer.answers.end(), each.begin(), each.end());
+    answer.input = each.input;
+    for (auto& fits : found) answer.answers.insert(answer.answers.end(), fits.begin(), fits.end());
     std::stable_sort(answer.answers.begin(), answer.answers.end(),
                      [](const FilmOnMetal& a, const FilmOnMetal& b) { return a.fit.misfit < b.fit.misfit; });
   }
@@ -115,7 +151,7 @@ int identify_films(IdentifyArguments& arguments, const F0Solver& solver) {
 }
 
 int identify_thickness(IdentifyArguments& arguments, const F0Solver& solver) {
-  if (!arguments.color.empty())
+  if (!arguments.color.empty() || !arguments.image.empty())
     throw Error::at("--measured", "beside a colour", "a spectrum and --stack alone");
   if (arguments.stack.empty())
     throw Error::at("--measured", "without --stack",
@@ -147,7 +183,8 @@ int run(IdentifyArguments& arguments) {
   const F0Solver solver{f0_options(arguments.compute, arguments.library)};
   if (!arguments.measured.empty()) return identify_thickness(arguments, solver);
   if (!arguments.stack.empty()) throw Error::at("--stack", "without --measured", "the spectrum of the stack");
-  if (arguments.color.empty()) throw Error::at("etak identify", "no colour", color_forms);
+  if (arguments.color.empty() && arguments.image.empty())
+    throw Error::at("etak identify", "no colour", color_forms);
   if (!arguments.film.empty()) return identify_films(arguments, solver);
   if (!arguments.oxides.empty()) throw Error::at("--oxide", "without --film", "--film METAL");
   return identify_colors(arguments, solver);
@@ -163,6 +200,9 @@ void add_identify(CommandLine& line) {
   verb.flag("--linear", arguments->linear, "COLOUR is linear, in --space");
   verb.option("--f82", arguments->f82, "reflectance at 82 degrees, a colour in the form of COLOUR")
       .value_name("COLOUR");
+  verb.option("--image", arguments->image, "a picture of F0, whose flat regions are asked about")
+      .reads_file()
+      .value_name("FILE");
   add_class_option(verb, arguments->classes, "only this class; may be repeated");
   verb.option(
           "--prior", arguments->prior,

@@ -45,10 +45,12 @@ int run(NearestArguments& arguments) {
   const std::vector<CatalogueEntry> all = catalogue(
       arguments.library.get(), solver, thread_count(arguments.threads), arguments.compute.axis_average);
   const std::vector<NearMaterial> found = nearest_materials(all, color, arguments.classes, arguments.count);
+  const std::vector<BandOfF0> bands = bands_of(found, solver, arguments.compute.axis_average);
   const std::string& format = arguments.output.format;
-  write_output(arguments.output, format == "csv"    ? nearest_csv(found)
-                                 : format == "json" ? nearest_json(found, typed, arguments.linear || named)
-                                                    : nearest_table(found, use_color(arguments.output)));
+  write_output(arguments.output,
+               format == "csv"    ? nearest_csv(found, bands)
+               : format == "json" ? nearest_json(found, bands, typed, arguments.linear || named)
+                                  : nearest_table(found, bands, use_color(arguments.output)));
   tell_surfaces(found, arguments.output);
   return exit_ok;
 }
@@ -71,7 +73,8 @@ void add_nearest(CommandLine& line) {
   add_output_options(verb, arguments->output, {"table", "csv", "json"});
   add_thread_option(verb, arguments->threads);
   verb.footer(
-      "The distance is CIEDE2000 between the colours under D65.\nExample:\n  etak nearest '#ffe29b' -n 3");
+      "The distance is CIEDE2000 between the colours under D65; \"of band\" is the distance over that within which nine of\n"
+      "ten new publications of the material would lie.\nExample:\n  etak nearest '#ffe29b' -n 3");
   verb.runs([arguments] { return run(*arguments); });
 }
 

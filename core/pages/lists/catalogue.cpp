@@ -51,9 +51,15 @@ std::string catalogue_object(const CatalogueEntry* entry) {
   return json_object(members, -1);
 }
 
-std::string near_object(const NearMaterial& near) {
+// The distance over the nine-tenths radius of the band.
+std::optional<double> share_of(const NearMaterial& near, const BandOfF0& its) {
+  return its.band ? std::optional(near.delta_e / its.band->de90) : std::nullopt;
+}
+
+std::string near_object(const NearMaterial& near, std::optional<double> share) {
   const Material& material = near.entry->material;
   return json_object({{"delta_e2000", number(near.delta_e, list_digits)},
+                      {"band_share", share ? number(*share, list_digits) : "null"},
                       {"hex", json(hex(near.entry->result.srgb8))},
                       {"id", json(material.id)},
                       {"name", json(material.name)},
@@ -110,33 +116,51 @@ std::string catalogue_jsonl(std::span<const CatalogueEntry* const> entries) {
   return out;
 }
 
-std::string nearest_table(std::span<const NearMaterial> found, bool color) {
-  std::vector<TextRow> rows{{{"dE2000", "sRGB   ", "id", "name", "class", "quality"}, color ? "   " : ""}};
-  for (const NearMaterial& near : found) {
-    const Material& material = near.entry->material;
-    const F0Result& result = near.entry->result;
-    rows.push_back({{number(near.delta_e, 4), hex(result.srgb8), material.id, material.name,
-                     material.material_class, quality_text(*near.entry)},
+std::string nearest_table(std::span<const NearMaterial> found, std::span<const BandOfF0> bands, bool color) {
+  std::vector<TextRow> rows{
+      {{"dE2000", "of band", "sRGB   ", "id", "name", "class", "quality"}, color ? "   " : ""}};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Material& material = found[i].entry->material;
+    const F0Result& result = found[i].entry->result;
+    const auto share = share_of(found[i], bands[i]);
+    rows.push_back({{number(found[i].delta_e, 4), share ? fixed(*share, 2) : "-", hex(result.srgb8),
+                     material.id, material.name, material.material_class, quality_text(*found[i].entry)},
                     color ? swatch_cell(result) : ""});
   }
-  return text_table(rows);
+  std::string out = text_table(rows);
+  for (const auto& group : not_told_apart(bands))
+    append(out, "not told apart: ",
+           joined(group, ", ", [&](std::size_t i) { return found[i].entry->material.id; }), '\n');
+  return out;
 }
 
-std::string nearest_csv(std::span<const NearMaterial> found) {
-  std::string out = "delta_e2000,hex,id,name,class,kind,flags\n";
-  for (const NearMaterial& near : found) {
+std::string nearest_csv(std::span<const NearMaterial> found, std::span<const BandOfF0> bands) {
+  std::string out = "delta_e2000,hex,id,name,class,kind,flags,band_share\n";
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const NearMaterial& near = found[i];
     const Material& material = near.entry->material;
-    append_csv_row(
-        out, {number(near.delta_e, list_digits), hex(near.entry->result.srgb8), material.id, material.name,
-              material.material_class, name(material.preferred_dataset().origin), flag_names(*near.entry)});
+    const auto share = share_of(near, bands[i]);
+    append_csv_row(out, {number(near.delta_e, list_digits), hex(near.entry->result.srgb8), material.id,
+                         material.name, material.material_class, name(material.preferred_dataset().origin),
+                         flag_names(*near.entry), share ? number(*share, list_digits) : ""});
   }
   return out;
 }
 
-std::string nearest_json(std::span<const NearMaterial> found, std::string_view asked, bool linear) {
-  return json_document(
-      "etak-nearest/1",
-      {{"color", json(asked)}, {"linear", json(linear)}, {"nearest", json_lines_of(found, 2, near_object)}});
+std::string nearest_json(std::span<const NearMaterial> found, std::span<const BandOfF0> bands,
+                         std::string_view asked, bool linear) {
+  std::vector<std::string> rows, groups;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    rows.push_back(near_object(found[i], share_of(found[i], bands[i])));
+  for (const auto& group : not_told_apart(bands)) {
+    std::vector<std::string> ids;
+    for (const std::size_t i : group) ids.push_back(json(found[i].entry->material.id));
+    groups.push_back(json_array(ids));
+  }
+  return json_document("etak-nearest/1", {{"color", json(asked)},
+                                          {"linear", json(linear)},
+                                          {"nearest", json_lines(rows, 2)},
+                                          {"groups", json_array(groups)}});
 }
 
 }  // namespace etak

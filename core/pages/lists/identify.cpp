@@ -45,11 +45,12 @@ std::string color_object(const IdentifiedColor& each) {
     for (const std::size_t index : group) ids.push_back(json(id_of(each.answer, index)));
     groups.push_back(json_array(ids));
   }
-  return json_object({{"input", json(valid_utf8(each.input))},
-                      {"verdict", json(name(each.answer.verdict))},
-                      {"candidates", json_lines_of(each.answer.candidates, 6, candidate_object)},
-                      {"groups", json_array(groups)}},
-                     4);
+  std::vector<JsonMember> out{{"input", json(valid_utf8(each.input))},
+                              {"verdict", json(name(each.answer.verdict))},
+                              {"candidates", json_lines_of(each.answer.candidates, 6, candidate_object)},
+                              {"groups", json_array(groups)}};
+  if (each.area_share) out.insert(out.begin() + 1, {"area_share", json_number(*each.area_share)});
+  return json_object(out, 4);
 }
 
 std::string film_object(const FilmOnMetal& each) {
@@ -113,7 +114,9 @@ std::string_view words_of(ColourVerdict verdict) {
 std::string identify_text(std::span<const IdentifiedColor> answers, bool color) {
   std::string out;
   for (const IdentifiedColor& each : answers) {
-    append(out, out.empty() ? "" : "\n", line_text(each.input), ": ", words_of(each.answer.verdict), '\n');
+    append(out, out.empty() ? "" : "\n", line_text(each.input),
+           each.area_share ? ", " + number(100 * *each.area_share, 3) + " % of the texels: " : ": ",
+           words_of(each.answer.verdict), '\n');
     std::vector<TextRow> rows{
         {{"p", "dE", "of band", "sRGB   ", "id", "name", "class"}, color ? "     " : "  "}};
     const std::vector<PossibleMaterial>& all = each.answer.candidates;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,10 +14,12 @@ namespace etak {
 // What `etak identify` answers, as text for people and as JSON by resources/schema/identify.schema.json.
 
 /// The answer to a colour. The text has its first eight candidates, JSON all.
-///   input   as it was typed
+///   input        as it was typed; of a picture its path and the colour
+///   area_share   of the picture's texels
 struct IdentifiedColor {
   std::string input;
   Identified answer;
+  std::optional<double> area_share = {};
 };
 std::string identify_text(std::span<const IdentifiedColor> answers, bool color);
 std::string identify_json(std::span<const IdentifiedColor> answers);

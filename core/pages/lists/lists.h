@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/certainty/identify.h"
 #include "core/material/catalogue.h"
 
 namespace etak {
@@ -24,12 +25,15 @@ std::string catalogue_csv(std::span<const CatalogueEntry* const> entries);
 std::string catalogue_json(std::span<const CatalogueEntry* const> entries);
 std::string catalogue_jsonl(std::span<const CatalogueEntry* const> entries);  // one JSON object per line
 
-/// Materials near a colour, nearest first.
+/// Materials near a colour, nearest first, with their distances over the bands' nine-tenths radii and, but in CSV, which of them
+/// cannot be told apart.
+///   bands    of the found ones
 ///   asked    the colour as the user typed it
 ///   linear   the colour was read as linear sRGB, not as 8-bit codes
-std::string nearest_table(std::span<const NearMaterial> found, bool color);
-std::string nearest_csv(std::span<const NearMaterial> found);
-std::string nearest_json(std::span<const NearMaterial> found, std::string_view asked, bool linear);
+std::string nearest_table(std::span<const NearMaterial> found, std::span<const BandOfF0> bands, bool color);
+std::string nearest_csv(std::span<const NearMaterial> found, std::span<const BandOfF0> bands);
+std::string nearest_json(std::span<const NearMaterial> found, std::span<const BandOfF0> bands,
+                         std::string_view asked, bool linear);
 
 /// The library's answer to each of a list of names: a material, or why there is none.
 std::string names_table(std::span<const NameAnswer> answers);
