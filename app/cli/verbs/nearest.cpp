@@ -47,10 +47,10 @@ int run(NearestArguments& arguments) {
   const std::vector<NearMaterial> found = nearest_materials(all, color, arguments.classes, arguments.count);
   const std::vector<BandOfF0> bands = bands_of(found, solver, arguments.compute.axis_average);
   const std::string& format = arguments.output.format;
-  write_output(arguments.output,
-               format == "csv"    ? nearest_csv(found, bands)
-               : format == "json" ? nearest_json(found, bands, typed, arguments.linear || named)
-                                  : nearest_table(found, bands, use_color(arguments.output)));
+  write_output(arguments.output, format == "csv" ? nearest_csv(found, bands)
+                                 : format == "json"
+                                     ? nearest_json(found, bands, typed, arguments.linear || named)
+                                     : nearest_table(found, bands, use_color(arguments.output)));
   tell_surfaces(found, arguments.output);
   return exit_ok;
 }

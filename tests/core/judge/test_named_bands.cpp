@@ -5,6 +5,7 @@
 
 #include "core/certainty/publications.h"
 #include "core/color/srgb.h"
+#include "core/image/picture.h"
 #include "core/judge/engine.h"
 #include "core/judge/nearest.h"
 #include "core/material/quality.h"
@@ -169,4 +170,24 @@ TEST_CASE(
   const CheckedFile none = check_set(flat_set(96, {40, 170, 40}, {30, 30, 30}));
   REQUIRE(find(none, "ETK101") != nullptr);
   CHECK(find(none, "ETK101")->cause.empty());
+}
+
+TEST_CASE(
+    "the flat colours of a picture are told largest first, islands of one colour and of 3 codes as one") {
+  Image8 picture(64, 64, 3);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      // Two islands of grey that differ by two codes, a strip of black between them, and gold.
+      const bool gold = y >= 48, gap = !gold && x >= 24 && x < 40;
+      const std::uint8_t grey = x < 24 ? 180 : 182;
+      const std::array<std::uint8_t, 3> texel = gold  ? std::array<std::uint8_t, 3>{255, 228, 156}
+                                                : gap ? std::array<std::uint8_t, 3>{0, 0, 0}
+                                                      : std::array<std::uint8_t, 3>{grey, grey, grey};
+      std::ranges::copy(texel, picture.at(x, y).begin());
+    }
+  const std::vector<FlatColor> colors = flat_colors(rows_of(picture), TextureTransfer::srgb, 2);
+  REQUIRE(colors.size() == 3);
+  CHECK(srgb_encode(colors[0].linear[1]) * 255 == Approx(181).margin(0.1));
+  CHECK(colors[0].share == Approx(2 * 22 * 46 / 4096.0).margin(0.06));
+  CHECK(srgb_u8(colors[1].linear[2]) + srgb_u8(colors[2].linear[2]) == 156);
 }
