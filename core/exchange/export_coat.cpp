@@ -15,11 +15,13 @@
 namespace etak {
 namespace {
 
-// Of one colour and angle. Where nothing passes, nothing is seen of a base.
-LinearRgb base_part(const LinearRgb& whole, double coat, const LinearRgb& passes) {
+// What the base has to reflect so that the whole is seen. Where nothing passes, nothing is seen of a base.
+LinearRgb base_part(const LinearRgb& whole, const TargetCoat& coat, double cosine) {
+  const Vec3 passes = coat.lets_pass(cosine);
+  const double own = coat.reflects(cosine);
   Vec3 out{};
   for (std::size_t c = 0; c < 3; ++c)
-    out[c] = (vec(whole)[c] - coat) / (std::max(vec(passes)[c], 1e-9) * (1 - coat));
+    out[c] = (vec(whole)[c] - own) / (std::max(passes[c], 1e-9) * (1 - own));
   return to_rgb(out);
 }
 
@@ -29,29 +31,36 @@ ExportSurface without_coat(const ExportSurface& surface, const LinearRgb& f0, co
   out.f0 = f0;
   out.f82 = f82;
   out.coat.reset();
+  out.spectrum.clear();
   return out;
 }
 
 }  // namespace
 
-TargetCoat target_coat(const ExportCoat& coat, bool longer_aslant) {
-  TargetCoat out{f64::f0(coat.n, 0), f64::fresnel_exact(coat.n, 0, f82_cosine), coat.passes, coat.passes};
-  if (!longer_aslant) return out;
-  // Of an index below 1 no light goes in there.
-  const double squared = std::max(1 - (1 - f82_cosine * f82_cosine) / (coat.n * coat.n), 1e-4);
-  Vec3 aslant = vec(coat.passes);
-  for (double& channel : aslant) channel = std::pow(std::max(channel, 0.0), 1 / std::sqrt(squared));
-  out.passes82 = to_rgb(aslant);
+double TargetCoat::reflects(double cosine) const {
+  constexpr double f0 = 0.04;
+  if (n > 0) return f64::fresnel_exact(n, 0, cosine);
+  return curve == nullptr ? f64::f_schlick(f0, cosine) : f0 + (1 - f0) * curve(cosine);
+}
+
+Vec3 TargetCoat::lets_pass(double cosine) const {
+  if (!longer_aslant) return vec(passes);
+  // Of an index below 1 no light goes in at grazing angles.
+  const double squared = std::max(1 - (1 - cosine * cosine) / (n * n), 1e-4);
+  Vec3 out = vec(passes);
+  for (double& channel : out) channel = std::pow(std::max(channel, 0.0), 1 / std::sqrt(squared));
   return out;
 }
 
-TargetCoat fixed_coat() {
-  constexpr double f0 = 0.04;
-  return {f0, f64::f_schlick(f0, f82_cosine)};
+Vec3 TargetCoat::over(const Vec3& base, double cosine) const {
+  Vec3 out = lets_pass(cosine);
+  const double own = reflects(cosine);
+  for (std::size_t c = 0; c < 3; ++c) out[c] = own + out[c] * (1 - own) * base[c];
+  return out;
 }
 
 void note_fixed_coat(const ExportCoat& coat, Changes& changes) {
-  note_change(changes, "F0 of the coat", {f64::f0(coat.n, 0)}, {fixed_coat().f0}, "fixed",
+  note_change(changes, "F0 of the coat", {f64::f0(coat.n, 0)}, {TargetCoat{}.reflects(1)}, "fixed",
               "the coat has the index 1.5");
 }
 
@@ -68,8 +77,7 @@ ExportCoat export_coat(const Coat& coat, const CoatedF0& values) {
 ExportSurface under_coat(const ExportSurface& surface, const TargetCoat& target) {
   if (!surface.coat) return surface;
   const ExportCoat& coat = *surface.coat;
-  return without_coat(surface, base_part(coat.f0, target.f0, target.passes),
-                      base_part(coat.f82, target.f82, target.passes82));
+  return without_coat(surface, base_part(coat.f0, target, 1), base_part(coat.f82, target, f82_cosine));
 }
 
 ExportSurface as_whole(const ExportSurface& surface) {

@@ -11,21 +11,25 @@ namespace etak {
 // the coat's index or adds what goes up and down below it. So the base is given the F0 and F82 with which their sum is
 // the whole, exactly at cosine 1 and 1/7, and neither is counted twice.
 
-/// The coat that a target draws: reflectance at cosine 1 and 1/7, and the share that it lets pass there of the light that
-/// goes in.
+/// The coat that a target draws. As it stands: that of glTF and Filament, F0 0.04 with Schlick's edge, without absorption.
+///   n               reflects by Fresnel's equations of this index; 0: by F0 0.04 and `curve`
+///   passes          the share of the light that goes in which it lets pass, head on
+///   longer_aslant   whether the target takes that to the power of the path in the coat (Blender, Adobe's OpenPBR); else it
+///                   is the same at all angles (MaterialX)
+///   curve           from F0 to 1 over the cosine; null: Schlick's
 struct TargetCoat {
-  double f0 = 0.04, f82 = 0;
-  LinearRgb passes{1, 1, 1}, passes82{1, 1, 1};
+  double n = 0;
+  LinearRgb passes{1, 1, 1};
+  bool longer_aslant = false;
+  double (*curve)(double cosine) = nullptr;
+
+  double reflects(double cosine) const;
+  Vec3 lets_pass(double cosine) const;
+  /// What is seen of a base of that reflectance at that cosine.
+  Vec3 over(const Vec3& base, double cosine) const;
 };
 
-/// A coat of the index of `coat`, for targets that take one and the colour of its absorption.
-///   longer_aslant   whether the target takes the colour to the power of the path in the coat (Blender); else it is
-///                   the same at all angles (MaterialX)
-TargetCoat target_coat(const ExportCoat& coat, bool longer_aslant);
-
-/// A coat of the index 1.5 with Schlick's edge, without absorption: that of glTF and Filament.
-TargetCoat fixed_coat();
-/// Adds the Change of a coat that has another index than fixed_coat().
+/// Adds the Change of a coat that has another index than 1.5.
 void note_fixed_coat(const ExportCoat& coat, Changes& changes);
 
 /// The coat of `values` in the terms of exports.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/exchange/export_input.h"
 
+#include <functional>
+
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
@@ -8,6 +10,7 @@
 #include "core/exchange/export_coat.h"
 #include "core/material/names.h"
 #include "core/material/quality.h"
+#include "core/material/seen_stack.h"
 
 namespace etak {
 namespace {
@@ -66,8 +69,10 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
     }
     surface.coat = export_coat(*wishes.coat, coat);
     surface.notes.push_back(coat_note(*surface.coat));
-    surface.seen.reset();
-    surface.unseen = "with a coat it is not computed";
+    if (surface.seen) {
+      const SeenStack seen(coated_stack(*wishes.coat, dataset.optics), solver.options());
+      surface.seen = film_truth(std::cref(seen));
+    }
   }
   surface.opacity = wishes.opacity;
   surface.emission = wishes.emission;

@@ -13,7 +13,7 @@ namespace {
 
 // A metal under OpenPBR's coat, or a dielectric, whose index the target compares with the coat's itself.
 OpenPbrValues coated_open_pbr(const ExportSurface& s, Fit fit, Changes& changes) {
-  ExportSurface base = under_coat(s, target_coat(*s.coat, false));
+  ExportSurface base = under_coat(s, {s.coat->n, s.coat->passes});
   if (s.kind == SurfaceKind::dielectric) {
     base = s;
     base.coat.reset();
@@ -120,7 +120,7 @@ GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness,
   if (s.coat && specular_glossiness) return gltf_values(as_whole(s), true, fit, changes);
   if (s.coat) {
     note_fixed_coat(*s.coat, changes);
-    GltfMaterialValues out = gltf_values(under_coat(s, fixed_coat()), false, fit, changes);
+    GltfMaterialValues out = gltf_values(under_coat(s, {}), false, fit, changes);
     out.clearcoat = 1;
     return out;
   }

@@ -25,6 +25,13 @@ F0Result colour_of(const F0Setup& setup, const FilmSpectra& film, std::vector<do
 
 }  // namespace
 
+Stack coated_stack(const Coat& coat, const Optics& optics) {
+  Stack out = stack_of(optics);
+  out.media.push_back({coat.label, {}, {}, coat.medium});
+  out.layers.insert(out.layers.begin(), {out.media.size() - 1, coat.thickness_nm, false});
+  return out;
+}
+
 void validate(const Coat&, const F0Options& options) {
   if (options.instrument.any())
     throw Error::at(setting("coat"), "beside " + setting("aperture") + " or " + setting("scatter"),
@@ -41,9 +48,7 @@ std::string coated(const Coat& coat, const F0Options& options, const Optics& opt
                     "data of n and k");
   const F0Setup setup = f0_setup(options);
   const Quadrature& q = setup.quadrature;
-  Stack stack = stack_of(optics);
-  stack.media.push_back({coat.label, {}, {}, coat.medium});
-  stack.layers.insert(stack.layers.begin(), {stack.media.size() - 1, coat.thickness_nm, false});
+  const Stack stack = coated_stack(coat, optics);
   StackSpectra spectra;
   if (std::string why = stack_spectra(setup, stack, q, spectra); !why.empty()) return why;
   const FilmSpectra whole = spectra.film(stack, q);

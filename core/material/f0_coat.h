@@ -38,6 +38,9 @@ struct CoatedF0 {
   LinearRgb passes;
 };
 
+/// Coat, layers and base, the coat as the outermost layer.
+Stack coated_stack(const Coat& coat, const Optics& optics);
+
 /// Throws Error where the method of the options is no sum over wavelengths, or an instrument is in them.
 void validate(const Coat& coat, const F0Options& options);
 

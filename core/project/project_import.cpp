@@ -65,8 +65,7 @@ bool holds_surfaces(const std::string& path) {
 
 std::vector<ProjectMaterial> imported_materials(const std::string& path, std::vector<std::string>& remarks) {
   const std::vector<DocumentSurface> surfaces =
-      is_scene(path) ? surfaces_of_gltf(read_gltf(path, {}))
-                     : surfaces_of_document(read_file(path, most_document_bytes), path);
+      is_scene(path) ? surfaces_of_gltf(read_gltf(path, {})) : surfaces_of_document(path, path);
   if (surfaces.empty()) throw Error::at(path, "no material", "one of a model that etak validate judges");
   std::vector<ProjectMaterial> out;
   for (const DocumentSurface& each : surfaces) out.push_back(project_material_of(each, remarks));

@@ -4,5 +4,6 @@
 #include "tests/fuzz/surfaces.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return etak::test::read_surfaces(data, size, etak::surfaces_of_material_x);
+  return etak::test::read_surfaces(
+      data, size, [](auto text, const auto& file) { return etak::surfaces_of_material_x(text, file); });
 }

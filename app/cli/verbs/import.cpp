@@ -82,6 +82,15 @@ int import_inputs(ImportArguments& arguments) {
 
 // The materials of documents have colours and no spectra, so that they become a project.
 int import_documents(const ImportArguments& arguments) {
+  const TableSettings& t = arguments.tables;
+  const TableSettings untouched;
+  for (const auto& [option, given] :
+       {std::pair{"--id", !arguments.id.empty()}, std::pair{"--unit", t.unit != untouched.unit},
+        std::pair{"--columns", t.columns != untouched.columns},
+        std::pair{"--duplicates", t.duplicates != untouched.duplicates},
+        std::pair{"--class", t.material_class != untouched.material_class},
+        std::pair{"--origin", t.origin != untouched.origin}})
+    if (given) throw Error::at(option, "given with material documents", "pages or tables with it");
   Project project;
   std::vector<std::string> remarks;
   FreeNames taken = names_of(project);
@@ -94,7 +103,6 @@ int import_documents(const ImportArguments& arguments) {
       project.materials.push_back(std::move(material));
     }
   }
-  if (!arguments.id.empty()) throw Error::at("--id", "material documents", "pages or tables with it");
   if (!arguments.name.empty()) {
     if (project.materials.size() > 1)
       throw Error::at("--name", std::to_string(project.materials.size()) + " materials", "one");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/text/ascii.h"
@@ -60,18 +61,23 @@ const SurfaceInput* DocumentSurface::input(std::string_view input_name) const {
   return nullptr;
 }
 
-bool to_linear_srgb(std::string_view space, std::vector<double>& rgb) {
-  const auto found =
-      std::find_if(spaces.begin(), spaces.end(), [&](const NamedSpace& each) { return each.name == space; });
-  if (found == spaces.end() || rgb.size() != 3) return false;
+void take_color_space(SurfaceInput& input, std::string_view space) {
+  const auto found = std::ranges::find(spaces, space, &NamedSpace::name);
+  if (found == spaces.end()) {
+    input.problem = "the colour space " + in_quotes(space) + " is not known";
+    input.values.clear();
+    return;
+  }
   // Numbers that are no colours stay as they are: a power of them may have no value.
   constexpr double most = 1e6;
-  if (std::ranges::any_of(rgb, [](double channel) { return std::abs(channel) > most; })) return true;
+  std::vector<double> rgb = input.values;
+  if (std::ranges::any_of(rgb, [](double channel) { return std::abs(channel) > most; })) return;
   for (double& channel : rgb) channel = found->decode(channel);
-  if (found->primaries == RgbSpace::srgb) return true;
-  const Vec3 out = to_srgb(found->primaries) * Vec3{rgb[0], rgb[1], rgb[2]};
-  rgb = {out[0], out[1], out[2]};
-  return true;
+  if (found->primaries != RgbSpace::srgb) {
+    const Vec3 out = to_srgb(found->primaries) * Vec3{rgb[0], rgb[1], rgb[2]};
+    rgb = {out[0], out[1], out[2]};
+  }
+  if (rgb != input.values) input.written = std::exchange(input.values, rgb);
 }
 
 bool is_surface_document(std::string_view head) {

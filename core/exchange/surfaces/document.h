@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,10 +43,9 @@ struct DocumentSurface {
 /// The largest document that is read, in bytes.
 inline constexpr std::size_t most_document_bytes = std::size_t{64} << 20;
 
-/// The numbers of a colour as linear sRGB.
+/// Makes linear sRGB of an input's three numbers, and keeps those that are written; an unknown space is its problem.
 ///   space   what the file calls its colour space; empty: it is linear sRGB already
-/// Returns false where that name is not known.
-bool to_linear_srgb(std::string_view space, std::vector<double>& rgb);
+void take_color_space(SurfaceInput& input, std::string_view space);
 
 /// Throws Error for the name of a file that does not lie in the document's folder or below it: with "..", absolute, or
 /// with a scheme ("https:").
@@ -61,9 +61,10 @@ struct NodeLinks {
 void require_no_loop(const std::vector<NodeLinks>& nodes, std::string_view file);
 
 /// The surfaces of a USD layer in text form (.usda): shaders of UsdPreviewSurface, and of MaterialX's models where their
-/// info:id names one (ND_open_pbr_surface_surfaceshader). Other layers that it names are not opened.
+/// info:id names one (ND_open_pbr_surface_surfaceshader).
 /// Throws Error with the line: the binary form (.usdc), a package (.usdz), broken text, numbers that are none, shaders of an unknown
-/// id, connections in a circle or to nothing, files outside of the folder, depth of more than 64.
+/// id, connections in a circle or to nothing, other layers (references, sublayers,
+/// payloads), files outside of the folder, depth of more than 64.
 std::vector<DocumentSurface> surfaces_of_usda(std::string_view text, const std::string& file);
 
 /// Whether a text begins as a table that `etak export --to values --format csv` writes.
@@ -73,16 +74,26 @@ bool is_value_table(std::string_view head);
 /// text tell what a target shows and are no fields. Throws Error with the line: a missing column, numbers that are none, a target that is not known.
 std::vector<DocumentSurface> surfaces_of_table(std::string_view text, const std::string& file);
 
-/// The surfaces of a MaterialX document of version 1.38 or 1.39 (etak::material_x). Inputs are followed to `constant`
-/// nodes; what other nodes give is not known. Documents that it includes are not opened.
+/// The text of another file of the folder in which a document lies, by its name relative to that. Throws Error.
+using DocumentFolder = std::function<std::string(const std::string& name)>;
+
+/// The surfaces of a MaterialX document of version 1.38 or 1.39 (etak::material_x), and of those that it includes. Inputs are
+/// followed to `constant` nodes; what other nodes give is not known.
+///   folder   none: a document that includes others is refused
 /// Throws Error with the line: broken XML, a document type (entities), nodes of an unknown kind or name, nodes in a circle, numbers that
-/// are none, files outside of the folder, depth of more than 64.
-std::vector<DocumentSurface> surfaces_of_material_x(std::string_view text, const std::string& file);
+/// are none, files outside of the folder, documents that include each other, depth of more than 64.
+std::vector<DocumentSurface> surfaces_of_material_x(std::string_view text, const std::string& file,
+                                                    const DocumentFolder& folder = {});
 
 /// Whether a text begins as one of these documents.
 bool is_surface_document(std::string_view head);
 
-/// The surfaces of any of these documents, by its first bytes and its ending (etak::material_x). Throws Error.
-std::vector<DocumentSurface> surfaces_of_document(std::string_view text, const std::string& file);
+/// The surfaces of any of these documents, by its first bytes and its ending (etak::material_x), and of documents that it
+/// includes from its folder or below. Throws Error, also for included files that are not there or behind a link that leads out of the
+/// folder.
+///   label   of the file in messages
+///   read    takes the paths of the included files
+std::vector<DocumentSurface> surfaces_of_document(const std::string& path, const std::string& label,
+                                                  std::vector<std::string>* read = nullptr);
 
 }  // namespace etak

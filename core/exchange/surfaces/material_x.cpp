@@ -3,10 +3,11 @@
 // documents are refused.
 // Based on: MaterialX Specification 1.39, "MaterialX Names", "Node Graph Elements", "Color Spaces".
 #include <algorithm>
+#include <filesystem>
+#include <list>
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -65,71 +66,117 @@ bool is_word_of(std::string_view list, std::string_view word) {
          list.find(' ' + std::string(word) + ' ') != list.npos;
 }
 
-// A place where names of nodes hold: the document, or a graph.
+// The document, or one that it includes.
+struct Source {
+  std::string name;  // relative to the folder of the document; empty: it is the document
+  std::vector<std::ptrdiff_t> lines = {};  // where each begins
+  pugi::xml_document xml = {};
+};
+
+// A place where names of nodes hold: all documents together, or a graph.
 struct Scope {
   struct Node {
     std::size_t link;  // into Document::links_
     pugi::xml_node element;
   };
-  pugi::xml_node element;
-  std::map<std::string, Node, std::less<>> nodes;  // by name
+  std::vector<pugi::xml_node> elements;  // whose children they are
+  bool graph = true;
+  std::map<std::string, Node, std::less<>> nodes = {};  // by name
 };
 
 class Document {
  public:
-  Document(std::string_view text, const std::string& file) : file_(file) {
-    for (std::size_t at = 0; at != text.npos; at = text.find('\n', at))
-      lines_.push_back(static_cast<std::ptrdiff_t>(at == 0 && lines_.empty() ? at : ++at));
-    const pugi::xml_parse_result result = xml_.load_buffer(
-        text.data(), text.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
-    if (!result) throw Error::at_line(file_, line_at(result.offset), result.description(), "XML");
-    check_elements();
-    root_ = xml_.child("materialx");
-    if (!root_) throw Error::at(file_, "no element materialx", "a MaterialX document");
-    const std::string_view version = root_.attribute("version").value();
-    if (version != "1.38" && version != "1.39")
-      fail(root_, "MaterialX " + (version.empty() ? "without a version" : in_quotes(version)),
-           "version 1.38 or 1.39");
+  Document(std::string_view text, const std::string& file, const DocumentFolder& folder)
+      : file_(file), folder_(folder) {
+    load(text, {});
   }
 
   std::vector<DocumentSurface> surfaces() {
-    for (const pugi::xml_node each : root_.children("nodedef"))
-      own_kinds_.insert(each.attribute("node").value());
-    scopes_.push_back({root_, {}});
-    for (const pugi::xml_node graph : root_.children("nodegraph")) scopes_.push_back({graph, {}});
+    scopes_.push_back({roots_, false});
+    for (const pugi::xml_node root : roots_) {
+      for (const pugi::xml_node each : root.children("nodedef"))
+        own_kinds_.insert(each.attribute("node").value());
+      for (const pugi::xml_node graph : root.children("nodegraph")) scopes_.push_back({{graph}});
+      for (const pugi::xml_node material : root.children("surfacematerial"))
+        for (const pugi::xml_node input : material.children("input"))
+          materials_.emplace(input.attribute("nodename").value(), material.attribute("name").value());
+    }
     for (Scope& scope : scopes_) list_nodes(scope);
     for (const Scope& scope : scopes_) link_nodes(scope);
     require_no_loop(links_, file_);
-    for (const pugi::xml_node material : root_.children("surfacematerial"))
-      for (const pugi::xml_node input : material.children("input"))
-        materials_.emplace(input.attribute("nodename").value(), material.attribute("name").value());
     std::vector<DocumentSurface> out;
     for (const Scope& scope : scopes_)
-      for (const pugi::xml_node node : scope.element.children())
-        if (is_word_of(node_kinds, node.name()) && is_surface_model(node.name()))
-          out.push_back(surface_of(scope, node));
+      for (const pugi::xml_node element : scope.elements)
+        for (const pugi::xml_node node : element.children())
+          if (is_word_of(node_kinds, node.name()) && is_surface_model(node.name()))
+            out.push_back(surface_of(scope, node));
     return out;
   }
 
  private:
-  std::size_t line_at(std::ptrdiff_t offset) const {
-    return static_cast<std::size_t>(std::upper_bound(lines_.begin(), lines_.end(), offset) - lines_.begin());
+  // Reads a document, and those that it includes, each of them once.
+  void load(std::string_view text, const std::string& name) {
+    Source& source = sources_.emplace_back(Source{name});
+    for (std::size_t at = 0; at != text.npos; at = text.find('\n', at))
+      source.lines.push_back(static_cast<std::ptrdiff_t>(at == 0 && source.lines.empty() ? at : ++at));
+    const pugi::xml_parse_result result = source.xml.load_buffer(
+        text.data(), text.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
+    if (!result)
+      throw Error::at_line(file_of(source), line_at(source, result.offset), result.description(), "XML");
+    check_elements(source.xml);
+    const pugi::xml_node root = source.xml.child("materialx");
+    if (!root) throw Error::at(file_of(source), "no element materialx", "a MaterialX document");
+    const std::string_view version = root.attribute("version").value();
+    if (version != "1.38" && version != "1.39")
+      fail(root, "MaterialX " + (version.empty() ? "without a version" : in_quotes(version)),
+           "version 1.38 or 1.39");
+    roots_.push_back(root);
+    open_.push_back(name.empty() ? std::filesystem::path(file_).filename().generic_string() : name);
+    for (const pugi::xml_node each : root.children("xi:include")) include(each);
+    open_.pop_back();
   }
+
+  void include(const pugi::xml_node& at) {
+    const std::string href = at.attribute("href").value();
+    require_inside(href, line(at));
+    const std::string name =
+        (std::filesystem::path(open_.back()).parent_path() / href).lexically_normal().generic_string();
+    if (!folder_) fail(at, "an included document, " + in_quotes(href, 80), "a file, whose folder holds it");
+    if (std::ranges::count(open_, name) > 0)
+      fail(at, in_quotes(name, 80) + " includes itself, or through others", "documents without a circle");
+    if (!included_.insert(name).second) return;
+    const std::string text = folder_(name);
+    bytes_ += text.size();
+    if (bytes_ > most_document_bytes) fail(at, "more than 64 MiB of included documents");
+    load(text, name);
+  }
+
+  static std::size_t line_at(const Source& source, std::ptrdiff_t offset) {
+    return static_cast<std::size_t>(std::ranges::upper_bound(source.lines, offset) - source.lines.begin());
+  }
+  std::string file_of(const Source& source) const {
+    if (source.name.empty()) return file_;
+    return (std::filesystem::path(file_).parent_path() / source.name).generic_string();
+  }
+  const Source& source_of(const pugi::xml_node& at) const {
+    return *std::ranges::find_if(sources_, [&](const Source& each) { return each.xml == at.root(); });
+  }
+  std::size_t line_at(const pugi::xml_node& at) const { return line_at(source_of(at), at.offset_debug()); }
   [[noreturn]] void fail(const pugi::xml_node& at, const std::string& found,
                          std::string_view expected = {}) const {
-    throw Error::at_line(file_, line_at(at.offset_debug()), found, expected);
+    throw Error::at_line(file_of(source_of(at)), line_at(at), found, expected);
   }
   std::string line(const pugi::xml_node& at) const {
-    return file_ + ":" + std::to_string(line_at(at.offset_debug()));
+    return file_of(source_of(at)) + ":" + std::to_string(line_at(at));
   }
   std::string place(const pugi::xml_node& at) const {
-    return "line " + std::to_string(line_at(at.offset_debug()));
+    const std::string& name = source_of(at).name;
+    return (name.empty() ? "" : printable(name, 80) + ", ") + "line " + std::to_string(line_at(at));
   }
 
   // Every element but the texts that a document does not need.
-  void check_elements() const {
+  void check_elements(pugi::xml_node at) const {
     int depth = 0;
-    pugi::xml_node at = xml_;
     while (true) {
       if (at.type() == pugi::node_doctype) fail(at, "a document type, which can hold entities", "none");
       if (at.first_child()) {
@@ -148,25 +195,24 @@ class Document {
   }
 
   void list_nodes(Scope& scope) {
-    for (const pugi::xml_node node : scope.element.children()) {
-      if (node.type() != pugi::node_element) continue;
-      const std::string_view kind = node.name();
-      if (kind == "xi:include") {
-        require_inside(node.attribute("href").value(), line(node));
-        includes_ = true;
-      }
-      if (is_word_of(other_elements, kind) && kind != "output" && kind != "nodegraph") continue;
-      const std::string name = node.attribute("name").value();
-      if (name.empty()) fail(node, "an element " + in_quotes(kind) + " without a name");
-      if (!scope.nodes.emplace(name, Scope::Node{links_.size(), node}).second)
-        fail(node, "two elements of the name " + in_quotes(name) + " in one place", "names of their own");
-      links_.push_back({name, place(node), {}});
-    }
-    for (const pugi::xml_node node : scope.element.children())
-      if (node.type() == pugi::node_element && !is_word_of(other_elements, node.name()) &&
-          !is_word_of(node_kinds, node.name()) && !own_kinds_.contains(node.name()) && !includes_)
-        fail(node, "a node of the unknown kind " + in_quotes(node.name()),
-             "a node of MaterialX 1.39, or one that the document defines");
+    for (const pugi::xml_node element : scope.elements)
+      for (const pugi::xml_node node : element.children())
+        if (node.type() == pugi::node_element) list_node(scope, node);
+  }
+  void list_node(Scope& scope, const pugi::xml_node& node) {
+    const std::string_view kind = node.name();
+    if (kind == "xi:include" && scope.graph)
+      fail(node, "an included document inside of a graph", "in the element materialx");
+    const bool other = is_word_of(other_elements, kind);
+    if (!other && !is_word_of(node_kinds, kind) && !own_kinds_.contains(kind))
+      fail(node, "a node of the unknown kind " + in_quotes(kind),
+           "a node of MaterialX 1.39, or one that the document defines");
+    if (other && kind != "output" && kind != "nodegraph") return;
+    const std::string name = node.attribute("name").value();
+    if (name.empty()) fail(node, "an element " + in_quotes(kind) + " without a name");
+    if (!scope.nodes.emplace(name, Scope::Node{links_.size(), node}).second)
+      fail(node, "two elements of the name " + in_quotes(name) + " in one place", "names of their own");
+    links_.push_back({name, place(node), {}});
   }
 
   // The element of that name, in the scope of the input.
@@ -174,24 +220,17 @@ class Document {
     const std::string_view name = input.attribute(attribute).value();
     const auto at = scope.nodes.find(name);
     if (at != scope.nodes.end()) return at->second.link;
-    if (includes_) return links_.size();
     fail(input,
          std::string(input.name()) + " " + in_quotes(input.attribute("name").value()) + " reads " +
              in_quotes(name) + ", which is not there",
          "the name of a node");
   }
 
-  void link(std::size_t from, std::size_t to) {
-    if (to < links_.size()) links_[from].reads.push_back(to);
-  }
-
   // What an input or output of the node reads.
   void link_input(const Scope& scope, std::size_t from, const pugi::xml_node& input) {
-    if (input.attribute("nodename")) link(from, found(scope, input, "nodename"));
-    if (const auto graph = input.attribute("nodegraph")) {
-      const std::size_t at = found(scopes_.front(), input, "nodegraph");
-      link(from, at);
-    }
+    std::vector<std::size_t>& reads = links_[from].reads;
+    if (input.attribute("nodename")) reads.push_back(found(scope, input, "nodename"));
+    if (input.attribute("nodegraph")) reads.push_back(found(scopes_.front(), input, "nodegraph"));
     if (std::string_view(input.attribute("type").value()) == "filename")
       require_inside(std::string(inherited(input, "fileprefix")) + input.attribute("value").value(),
                      line(input));
@@ -199,11 +238,12 @@ class Document {
 
   // A graph reads what its inputs read, and its outputs, which are the ends of what stands in it.
   void link_nodes(const Scope& scope) {
-    const auto graph = scopes_.front().nodes.find(std::string_view(scope.element.attribute("name").value()));
+    const auto graph =
+        scopes_.front().nodes.find(std::string_view(scope.elements.front().attribute("name").value()));
     for (const auto& [name, node] : scope.nodes) {
       const bool output = std::string_view(node.element.name()) == "output";
       if (output) link_input(scope, node.link, node.element);
-      if (output && scope.element != root_) link(graph->second.link, node.link);
+      if (output && scope.graph) links_[graph->second.link].reads.push_back(node.link);
       for (const pugi::xml_node input : node.element.children("input")) link_input(scope, node.link, input);
     }
   }
@@ -255,15 +295,7 @@ class Document {
     const ModelInput* known = model_input(model, out.name);
     const bool color = known != nullptr && known->type == InputType::color && known->meaning != Meaning::n &&
                        known->meaning != Meaning::k;
-    if (!color || out.values.size() != 3) return out;
-    const std::string_view space = inherited(from, "colorspace");
-    std::vector<double> linear = out.values;
-    if (!to_linear_srgb(space, linear)) {
-      out.problem = "the colour space " + in_quotes(space) + " is not known";
-      out.values.clear();
-    } else if (linear != out.values) {
-      out.written = std::exchange(out.values, linear);
-    }
+    if (color && out.values.size() == 3) take_color_space(out, inherited(from, "colorspace"));
     return out;
   }
 
@@ -281,21 +313,25 @@ class Document {
   }
 
   const std::string& file_;
-  std::vector<std::ptrdiff_t> lines_;  // where each begins
-  pugi::xml_document xml_;
-  pugi::xml_node root_;
+  const DocumentFolder& folder_;
+  std::list<Source> sources_;
+  std::vector<pugi::xml_node> roots_;  // of the sources
+  std::vector<std::string>
+      open_;  // names of the sources that are being read, each included by the one before
+  std::set<std::string> included_;
+  std::size_t bytes_ = 0;  // of included documents
   std::set<std::string, std::less<>> own_kinds_;
   std::map<std::string, std::string, std::less<>> materials_;  // by the name of their surface
   std::vector<Scope> scopes_;
   std::vector<NodeLinks> links_;
-  bool includes_ = false;
 };
 
 }  // namespace
 
-std::vector<DocumentSurface> surfaces_of_material_x(std::string_view text, const std::string& file) {
+std::vector<DocumentSurface> surfaces_of_material_x(std::string_view text, const std::string& file,
+                                                    const DocumentFolder& folder) {
   if (text.size() > most_document_bytes) throw Error::at(file, "more than 64 MiB", "a MaterialX document");
-  return Document(text, file).surfaces();
+  return Document(text, file, folder).surfaces();
 }
 
 }  // namespace etak
@@ -304,7 +340,8 @@ std::vector<DocumentSurface> surfaces_of_material_x(std::string_view text, const
 
 namespace etak {
 
-std::vector<DocumentSurface> surfaces_of_material_x(std::string_view, const std::string& file) {
+std::vector<DocumentSurface> surfaces_of_material_x(std::string_view, const std::string& file,
+                                                    const DocumentFolder&) {
   throw Error::at(file, "a MaterialX document, which this etak was built without a reader for");
 }
 

@@ -180,11 +180,15 @@ class Layer {
   // ( ... ), [ ... ] or { ... } with all that stands in it; names of files are looked at.
   void skip_group() {
     std::string open;
+    std::string_view key;  // the word before the last "="
     do {
       const Token token = tokens_.take();
       check_asset(token);
       if (token.kind == Token::Kind::end) tokens_.fail("\")\", \"]\" or \"}\"");
-      if (token.kind == Token::Kind::asset) others_ = true;
+      if (token.kind == Token::Kind::word && tokens_.now().is("=")) key = token.text;
+      if (token.kind == Token::Kind::asset && (key == "subLayers" || key == "references" || key == "payload"))
+        throw Error::at_line(file_, token.line, "another layer, " + in_quotes(token.text, 80),
+                             "a layer that stands alone, as usdcat --flatten writes it");
       if (token.kind != Token::Kind::mark) continue;
       constexpr std::string_view opens = "([{", closes = ")]}";
       if (const std::size_t at = opens.find(token.text); at != opens.npos) open += closes[at];
@@ -368,7 +372,7 @@ class Layer {
         if (source != by_path_.end()) {
           // What a material shows comes from the shaders in it, which may read the material's own inputs.
           if (!each.name.starts_with("outputs:")) node.reads.push_back(source->second);
-        } else if (!others_) {
+        } else {
           throw Error::at_line(
               file_, each.line,
               each.name + " is connected to " + in_quotes(each.source) + ", which is not there",
@@ -397,15 +401,8 @@ class Layer {
       if (!again) out.inputs.push_back({name, "line " + std::to_string(each.line), {}});
       SurfaceInput& input = again ? *same : out.inputs.back();
       input.values = each.source.empty() && !each.value.other ? each.value.numbers : std::vector<double>();
-      if (each.source.empty() && each.type.starts_with("color") && input.values.size() == 3) {
-        std::vector<double> linear = input.values;
-        if (!to_linear_srgb(each.color_space, linear)) {
-          input.problem = "the colour space " + in_quotes(each.color_space) + " is not known";
-          input.values.clear();
-        } else if (linear != input.values) {
-          input.written = std::exchange(input.values, linear);
-        }
-      }
+      if (each.source.empty() && each.type.starts_with("color") && input.values.size() == 3)
+        take_color_space(input, each.color_space);
     }
     return out;
   }
@@ -414,7 +411,6 @@ class Layer {
   const std::string& file_;
   std::vector<Prim> prims_;
   std::map<std::string, std::size_t, std::less<>> by_path_;
-  bool others_ = false;  // it names other layers, which may have the prims that are not here
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/base/json/json_text.h"
-#include "core/exchange/export_coat.h"
 #include "core/exchange/targets/rgb_index.h"
 #include "core/fresnel/fresnel.h"
 
@@ -53,8 +52,9 @@ void write_principled(const TargetJob& j) {
 void write_blender(const TargetJob& j) {
   if (!j.s.coat) return write_principled(j);
   const ExportCoat& coat = *j.s.coat;
-  const ExportSurface base = under_coat(j.s, target_coat(coat, true));
-  write_principled({base, j.fit, j.out});
+  const TargetCoat over{coat.n, coat.passes, true};
+  const ExportSurface base = under_coat(j.s, over);
+  write_principled({base, j.fit, j.out, over});
   j.add("Coat Weight", 1);
   j.add("Coat Roughness", 0);
   j.add("Coat IOR", coat.n);
@@ -124,7 +124,8 @@ constinit const TargetRow target_blender{
     {.id = "blender",
      .title = "Blender 4 Principled BSDF",
      .version = "4.2",
-     .formula = "Cycles: F82 tint of a metal; a dielectric's curve spread from its F0 to 1",
+     .formula =
+         "Cycles: F82 tint of a metal; a dielectric's curve spread from its F0 to 1; Fresnel's equations of a coat",
      .has_coat = true},
     write_blender};
 

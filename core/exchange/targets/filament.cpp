@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/exchange/export_coat.h"
 #include "core/exchange/targets/target.h"
 
 namespace etak {
@@ -70,8 +69,8 @@ void write_dielectric(const TargetJob& j, bool coated) {
 
 void write_filament(const TargetJob& job) {
   const bool coated = job.s.coat.has_value();
-  const ExportSurface base = under_coat(job.s, fixed_coat());
-  const TargetJob j{base, job.fit, job.out};
+  const ExportSurface base = under_coat(job.s, {});
+  const TargetJob j{base, job.fit, job.out, job.below({}).coat};
   j.metal() ? write_metal(j, coated) : write_dielectric(j, coated);
   j.add("roughness", j.roughness());
   if (coated) {
@@ -94,11 +93,12 @@ void write_filament(const TargetJob& job) {
 
 }  // namespace
 
-constinit const TargetRow target_filament{{.id = "filament",
-                                           .title = "Filament",
-                                           .version = "1.50",
-                                           .formula = "fresnel() of surface_brdf.fs: F90 = saturate(50 F0)",
-                                           .has_coat = true},
-                                          write_filament};
+constinit const TargetRow target_filament{
+    {.id = "filament",
+     .title = "Filament",
+     .version = "1.50",
+     .formula = "fresnel() of surface_brdf.fs: F90 = saturate(50 F0); clearCoatLobe()",
+     .has_coat = true},
+    write_filament};
 
 }  // namespace etak

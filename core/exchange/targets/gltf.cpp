@@ -21,7 +21,7 @@ constexpr GltfNames gltf_names{"baseColorFactor",
                                plain_text};
 
 void write_gltf(const TargetJob& j) {
-  j.shows_schlick(write_gltf_fields(j, gltf_names, [&](double nm) {
+  j.below({}).shows_schlick(write_gltf_fields(j, gltf_names, [&](double nm) {
     j.add("KHR_materials_iridescence.iridescenceThicknessMinimum", nm);
     j.add("KHR_materials_iridescence.iridescenceThicknessMaximum", nm);
   }));
@@ -43,7 +43,8 @@ constinit const TargetRow target_gltf{
     {.id = "gltf",
      .title = "glTF 2.0 metal-rough",
      .version = "2.0.1",
-     .formula = "Schlick to 1 (glTF 2.0, appendix B; KHR_materials_specular)",
+     .formula =
+         "Schlick to 1 (glTF 2.0, appendix B; KHR_materials_specular); fresnel_coat of KHR_materials_clearcoat",
      .has_coat = true,
      .film_on_metal = "gltf",
      .film_on_dielectric = "gltf"},

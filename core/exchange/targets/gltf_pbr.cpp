@@ -22,27 +22,24 @@ constexpr GltfNames gltf_pbr_names{"base_color",
                                    plain_text};
 
 void write_gltf_pbr(const TargetJob& j) {
-  j.shows_schlick(
+  j.below({1.5}).shows_schlick(
       write_gltf_fields(j, gltf_pbr_names, [&](double nm) { j.add("iridescence_thickness", nm); }));
   if (j.s.opacity < 1) j.note("alpha_mode is to be 2 (blend)");
 }
 
-std::string gltf_pbr_body(const ExportSurface& s, const EngineValues& values) {
-  return material_x_body("gltf_pbr", s, values);
-}
-
 }  // namespace
 
-constinit const TargetRow target_gltf_pbr{{.id = "gltf-pbr",
-                                           .title = "MaterialX gltf_pbr",
-                                           .version = "MaterialX 1.39, gltf_pbr 2.0.1",
-                                           .formula = "generalized_schlick_bsdf to color90 = 1",
-                                           .has_coat = true,
-                                           .film_on_metal = "gltf",
-                                           .film_on_dielectric = "gltf",
-                                           .opens = material_x_opens,
-                                           .closes = material_x_closes},
-                                          write_gltf_pbr,
-                                          gltf_pbr_body};
+constinit const TargetRow target_gltf_pbr{
+    {.id = "gltf-pbr",
+     .title = "MaterialX gltf_pbr",
+     .version = "MaterialX 1.39, gltf_pbr 2.0.1",
+     .formula = "generalized_schlick_bsdf to color90 = 1; layer of a smooth dielectric_bsdf",
+     .has_coat = true,
+     .film_on_metal = "gltf",
+     .film_on_dielectric = "gltf",
+     .opens = material_x_opens,
+     .closes = material_x_closes},
+    write_gltf_pbr,
+    material_x_body};
 
 }  // namespace etak

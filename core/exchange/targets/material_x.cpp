@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/exchange/targets/material_x.h"
 
+#include <algorithm>
+
 #include "core/base/text/text.h"
 #include "core/exchange/material_x.h"
 #include "core/exchange/targets/target.h"
 
 namespace etak {
 
-std::string material_x_body(const std::string& category, const ExportSurface& s, const EngineValues& values) {
+std::string material_x_body(const ExportSurface& s, const EngineValues& values) {
+  std::string category(values.target);
+  std::ranges::replace(category, '-', '_');
   const std::string name = identifier(s.node_name());
   std::string out = material_x_comment(s.title());
   for (const Change& change : values.changes) out += material_x_comment(one_line(change));

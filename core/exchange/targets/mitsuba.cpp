@@ -29,7 +29,7 @@ std::string mitsuba_body(const ExportSurface& s, const EngineValues& values) {
   } else if (metal) {
     out += spectrum("eta", false) + spectrum("k", true);
   } else {
-    out += real("int_ior", ior_of_f0(std::clamp(luminance(s.f0, s.space), 0.0, 0.99)));
+    out += real("int_ior", one_index(s));
     if (type == "plastic") out += rgb("diffuse_reflectance", s.diffuse);
   }
   if (!smooth) out += "    <string name=\"distribution\" value=\"ggx\"/>\n" + real("alpha", s.gloss.alpha());
@@ -43,19 +43,25 @@ std::string mitsuba_body(const ExportSurface& s, const EngineValues& values) {
 
 void write_mitsuba(const TargetJob& j) {
   write_spectral(j);
+  if (!j.metal())
+    j.shows_dielectric(one_index(j.s));
+  else if (j.s.spectrum.empty())
+    j.shows([&](double) { return vec(j.s.f0); });
   j.opacity("opacity");
   if (!j.metal()) j.note("a dielectric of Mitsuba has one index: " + j.index_text());
 }
 
 }  // namespace
 
-constinit const TargetRow target_mitsuba{{.id = "mitsuba",
-                                          .title = "Mitsuba",
-                                          .version = "3.5",
-                                          .unstated = spectral,
-                                          .opens = "<scene version=\"3.0.0\">\n",
-                                          .closes = "</scene>\n"},
-                                         write_mitsuba,
-                                         mitsuba_body};
+constinit const TargetRow target_mitsuba{
+    {.id = "mitsuba",
+     .title = "Mitsuba",
+     .version = "3.5",
+     .formula = "Fresnel's equations of a dielectric; of a metal without spectra F0",
+     .unstated = spectral,
+     .opens = "<scene version=\"3.0.0\">\n",
+     .closes = "</scene>\n"},
+    write_mitsuba,
+    mitsuba_body};
 
 }  // namespace etak

@@ -32,6 +32,11 @@ inline void write_spectral(const TargetJob& j) {
   j.add("alpha", j.s.gloss.alpha());
 }
 
+/// The index of a dielectric that has no spectrum, or a target with one index: that of the luminance of F0.
+inline double one_index(const ExportSurface& s) {
+  return ior_of_f0(std::clamp(luminance(s.f0, s.space), 0.0, largest_dielectric_f0));
+}
+
 inline constexpr std::string_view spectral = "takes n and k of each wavelength themselves";
 
 }  // namespace etak

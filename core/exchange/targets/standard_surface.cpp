@@ -35,10 +35,6 @@ void write_standard_surface(const TargetJob& j) {
   if (j.s.opacity < 1) j.add("opacity", grey(j.s.opacity), plain_text);
 }
 
-std::string standard_surface_body(const ExportSurface& s, const EngineValues& values) {
-  return material_x_body("standard_surface", s, values);
-}
-
 }  // namespace
 
 constinit const TargetRow target_standard_surface{
@@ -50,6 +46,6 @@ constinit const TargetRow target_standard_surface{
      .opens = material_x_opens,
      .closes = material_x_closes},
     write_standard_surface,
-    standard_surface_body};
+    material_x_body};
 
 }  // namespace etak

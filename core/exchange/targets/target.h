@@ -12,16 +12,22 @@
 #include "core/exchange/color_parts.h"
 #include "core/exchange/color_text.h"
 #include "core/exchange/engine_values.h"
+#include "core/exchange/export_coat.h"
 #include "core/exchange/material_x.h"
 #include "core/fresnel/fresnel.h"
 
 namespace etak {
 
 /// The input and output of a target, and the notes that all targets share.
+///   coat   that the target draws over what it shows; none: what it shows is all
 struct TargetJob {
   const ExportSurface& s;
   Fit fit;
   EngineValues& out;
+  std::optional<TargetCoat> coat = {};
+
+  /// The job of what lies below the surface's coat, where it has one, as the target draws that.
+  TargetJob below(const TargetCoat& over) const { return s.coat ? TargetJob{s, fit, out, over} : *this; }
 
   bool metal() const { return s.kind == SurfaceKind::metal; }
   bool black_body() const { return s.diffuse == LinearRgb{}; }
@@ -62,7 +68,7 @@ struct TargetJob {
   // are passed on unchanged; a measured total must come out as it was measured.
   LinearRgb layered_body() const { return layered_diffuse(s); }
 
-  /// Tells by what F over the angle the target draws the values, which gives their error.
+  /// Tells by what F over the angle the target draws the values, below its coat, which gives their error.
   ///   f   linear sRGB at a cosine of incidence above 0
   void shows(const std::function<Vec3(double cosine)>& f) const {
     if (!s.seen) {
@@ -70,7 +76,7 @@ struct TargetJob {
       return;
     }
     // Rounded far below what is seen, so that no machine's rounding shows.
-    out.error = film_error(f, *s.seen);
+    out.error = film_error([&](double c) { return coat ? coat->over(f(c), c) : f(c); }, *s.seen);
     for (double* const each : {&out.error->mean, &out.error->largest, &out.error->normal})
       *each = std::round(*each * 1e6) / 1e6;
   }

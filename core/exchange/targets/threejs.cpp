@@ -15,10 +15,10 @@ void write_threejs(const TargetJob& j) {
     j.add("iridescenceThicknessRange", {nm}, "[" + number(nm, digits) + ", " + number(nm, digits) + "]");
   });
   // The power of Schlick's curve as its shaders have it, by an exponential of a Gaussian.
-  j.shows([&](double cosine) {
-    const double curve = std::exp2((-5.55473 * cosine - 6.98316) * cosine);
+  const auto curve = [](double cosine) { return std::exp2((-5.55473 * cosine - 6.98316) * cosine); };
+  j.below({0, {1, 1, 1}, false, curve}).shows([&](double cosine) {
     Vec3 out = vec(f0);
-    for (double& channel : out) channel += (1 - channel) * curve;
+    for (double& channel : out) channel += (1 - channel) * curve(cosine);
     return out;
   });
 }
@@ -31,15 +31,16 @@ std::string threejs_body(const ExportSurface&, const EngineValues& values) {
 
 }  // namespace
 
-constinit const TargetRow target_threejs{{.id = "threejs",
-                                          .title = "three.js MeshPhysicalMaterial",
-                                          .version = "r164 to r180",
-                                          .formula = "F_Schlick of common.glsl.js, to 1",
-                                          .has_coat = true,
-                                          .film_on_metal = "gltf",
-                                          .film_on_dielectric = "gltf",
-                                          .comment = "// "},
-                                         write_threejs,
-                                         threejs_body};
+constinit const TargetRow target_threejs{
+    {.id = "threejs",
+     .title = "three.js MeshPhysicalMaterial",
+     .version = "r164 to r180",
+     .formula = "F_Schlick of common.glsl.js, to 1, of the clearcoat too",
+     .has_coat = true,
+     .film_on_metal = "gltf",
+     .film_on_dielectric = "gltf",
+     .comment = "// "},
+    write_threejs,
+    threejs_body};
 
 }  // namespace etak

@@ -205,8 +205,7 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
     if (const TargetFile* material = target.with_role({FileRole::material, FileRole::spectrum}))
       return check_material(*material, evidence);
     if (const TargetFile* surfaces = target.with_role({FileRole::surfaces})) {
-      evidence.surfaces =
-          surfaces_of_document(read_file(surfaces->path, most_document_bytes), surfaces->label);
+      evidence.surfaces = surfaces_of_document(surfaces->path, surfaces->label);
       return;
     }
     look_at_pictures(target, door, own, evidence);

@@ -7,6 +7,7 @@
 #include "core/base/files/between_files.h"
 #include "core/base/files/input.h"
 #include "core/base/system.h"
+#include "core/exchange/surfaces/document.h"
 #include "core/image/picture_endings.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/layout_targets.h"
@@ -131,6 +132,11 @@ class Documents {
       files_.claimed.insert(files.pictures.begin(), files.pictures.end());
       found.depends.insert(found.depends.end(), files.all.begin(), files.all.end());
     }
+    if (role == FileRole::surfaces) try {
+        // What is wrong with it is told by its check.
+        (void)surfaces_of_document(path, path, &found.depends);
+      } catch (const Error&) {
+      }
     finds_.found.targets.push_back(std::move(found));
   }
 

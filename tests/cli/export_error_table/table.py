@@ -5,7 +5,7 @@ import json
 import sys
 
 groups = {"metal": ["metal", "alloy", "conductor"], "semiconductor": ["semiconductor"],
-          "glass, gem, crystal": ["glass", "gem", "mineral", "crystal", "salt"],
+          "glass, gem, crystal, mineral, salt": ["glass", "gem", "mineral", "crystal", "salt"],
           "liquid, plastic, others": ["liquid", "plastic", "organic", "solid"]}
 exported = json.load(open(sys.argv[1], encoding="utf-8"))
 classes = {row["id"]: row["class"] for row in json.load(open(sys.argv[2], encoding="utf-8"))["materials"]}
@@ -28,7 +28,7 @@ for target in exported["materials"][0]["targets"]:
     for group in groups:
         errors = cells[target["id"]].get(group)
         if errors is None:
-            row.append("")
+            row.append("spectra")
             continue
         largest, _, name = max(errors)
         row.append(f"{sum(e[1] for e in errors) / len(errors):.1f}; {largest:.1f} ({name})")

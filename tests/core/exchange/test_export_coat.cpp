@@ -5,13 +5,19 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
+#include "core/color/colorspace.h"
+#include "core/color/delta_e.h"
 #include "core/exchange/export_input.h"
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
 #include "core/material/f0_settings.h"
 #include "core/material/find.h"
+#include "core/spectrum/integration.h"
+#include "core/spectrum/interpolate.h"
 #include "tests/core/exchange/field.h"
 #include "tests/core/material/library_support.h"
 #include "tests/gltf_judge.h"
@@ -57,6 +63,28 @@ double clear_fresnel(double n, double c) {
   const double t = std::sqrt(1 - (1 - c * c) / (n * n));
   const double s = (c - n * t) / (c + n * t), p = (n * c - t) / (n * c + t);
   return (s * s + p * p) / 2;
+}
+
+// What is reflected of light in air by a clear coat of index n that is thicker than light stays in step, on a conductor:
+// the sum of all that goes up and down in it, for s and p by themselves.
+double coated_reflectance(double n, std::complex<double> base, double c) {
+  const std::complex<double> ratio = base / n;
+  const double inside = std::sqrt(1 - (1 - c * c) / (n * n));
+  const std::complex<double> below = std::sqrt(1.0 - (1 - inside * inside) / (ratio * ratio));
+  const std::array<double, 2> top{(c - n * inside) / (c + n * inside), (n * c - inside) / (n * c + inside)};
+  const std::array<std::complex<double>, 2> bottom{(inside - ratio * below) / (inside + ratio * below),
+                                                   (ratio * inside - below) / (ratio * inside + below)};
+  double sum = 0;
+  for (std::size_t way = 0; way < 2; ++way) {
+    const double r = top[way] * top[way], b = std::norm(bottom[way]);
+    sum += (r + (1 - r) * (1 - r) * b / (1 - r * b)) / 2;
+  }
+  return sum;
+}
+
+Lab cut_lab(const Vec3& c) {
+  return to_lab(
+      LinearRgb{std::clamp(c[0], 0.0, 1.0), std::clamp(c[1], 0.0, 1.0), std::clamp(c[2], 0.0, 1.0)});
 }
 
 double tint_at(double f0, double tint) {
@@ -142,6 +170,71 @@ TEST_CASE("Filament's own change of F0 under its coat is undone in the values th
       CHECK(0.04 + 0.96 * under == Approx(vec(s.coat->f0)[c]).epsilon(1e-6));
     }
   }
+}
+
+TEST_CASE("the error under a coat is that of the target's own sum of coat and base against the exact whole") {
+  // Silver lies within [0, 1], so that nothing is cut. The exact whole by intensities: what goes up and down below a coat
+  // of a constant index is a series, summed here for s and p by themselves at every wavelength.
+  const ExportSurface s = coated_surface("silver", "1.5");
+  REQUIRE(s.seen);
+  const double n = 1.5;
+  const Material silver = *library().find("silver");
+  const auto& optics = std::get<OpticalConstants>(silver.preferred_dataset().optics);
+  const Quadrature q = make_quadrature(Method::nm1, {Observer::cie1931_2deg, Illuminant::d65});
+  std::vector<double> base_n(q.wavelength_nm.size()), base_k = base_n;
+  resample(std::get<Spectrum>(optics.n), Interpolation::linear, q.wavelength_nm, base_n);
+  resample(optics.k.value(), Interpolation::linear, q.wavelength_nm, base_k);
+  const Xyz white = to_xyz(q.white());
+  const Mat3 to_srgb = xyz_to_rgb(RgbSpace::srgb, white, white);
+  const EngineValues gltf = values_for("gltf", s), blender = values_for("blender", s);
+  double mean_gltf = 0, mean_blender = 0, weights = 0, worst = 0;
+  for (int degrees = 0; degrees <= 84; degrees += 6) {
+    const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle);
+    std::vector<double> whole(q.wavelength_nm.size());
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      whole[i] = coated_reflectance(n, {base_n[i], base_k[i]}, c);
+    const Vec3 exact = to_srgb * q.integrate(whole);
+    Vec3 in_gltf{}, in_blender{};
+    for (std::size_t ch = 0; ch < 3; ++ch) {
+      const double coat = schlick(0.04, c);
+      in_gltf[ch] = coat + (1 - coat) * schlick(field(gltf, "baseColorFactor").values[ch], c);
+      const double f0 = field(blender, "Base Color").values[ch], own = clear_fresnel(n, c);
+      const double tint = field(blender, "Specular Tint").values[ch];
+      const double a = (schlick(f0, 1.0 / 7) - tint_at(f0, tint)) / (std::pow(6.0 / 7, 6) / 7);
+      in_blender[ch] = own + (1 - own) * (schlick(f0, c) - a * c * std::pow(1 - c, 6));
+    }
+    const double weight = std::sin(angle) * c;
+    const double off = delta_e2000(cut_lab(in_gltf), cut_lab(exact));
+    mean_gltf += weight * off;
+    mean_blender += weight * delta_e2000(cut_lab(in_blender), cut_lab(exact));
+    weights += weight;
+    worst = std::max(worst, off);
+  }
+  CHECK(gltf.error->mean == Approx(mean_gltf / weights).margin(2e-4));
+  CHECK(gltf.error->largest == Approx(worst).margin(2e-4));
+  CHECK(blender.error->mean == Approx(mean_blender / weights).margin(2e-4));
+}
+
+TEST_CASE("every target tells its error under a coat, or why there is none") {
+  for (const char* const base : {"gold", "glass_bk7"}) {
+    const ExportSurface s = coated_surface(base, "water:2mm");
+    CHECK(s.seen);
+    for (const EngineTarget& target : engine_targets()) {
+      const EngineValues v = values_for(target.id.data(), s);
+      INFO(base << " " << target.id);
+      CHECK(v.error.has_value() == v.error_reason.empty());
+      // The spectra are those of the base alone, so that renderers of spectra get colours too.
+      const bool none = target.formula.empty();
+      CHECK(v.error.has_value() != none);
+    }
+  }
+  CHECK(!contains(copy_text(values_for("pbrt", coated_surface("gold", "1.5"))), "spectrum eta"));
+  // A body of its own under a coat: MaterialX's graph darkens it as it is published, Adobe's is not computed.
+  ExportWishes painted;
+  painted.diffuse = LinearRgb{0.5, 0.2, 0.1};
+  const ExportSurface plastic = *coated_answer("pmma", "1.4", painted).surface;
+  CHECK(values_for("openpbr", plastic).error);
+  CHECK(contains(values_for("openpbr-adobe", plastic).error_reason, "darkens a diffuse body"));
 }
 
 TEST_CASE("targets without a coat are given the whole, and told so") {

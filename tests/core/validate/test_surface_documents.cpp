@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Material documents: planted mistakes, clean ones, broken ones, and what etak exports itself.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <set>
 
 #include "core/exchange/export_input.h"
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
+#include "core/exchange/surfaces/document.h"
 #include "tests/core/material/library_support.h"
 #include "tests/core/validate/surface_documents.h"
 
@@ -305,6 +307,56 @@ TEST_CASE("broken documents are refused in one line that names the place") {
   CHECK(contains(refusal_of_document("a.usda", usda_of({"float inputs:ior = nan"})), "a number"));
   CHECK(contains(refusal_of_document("a.usda", usda_of({"color3f inputs:diffuseColor = (0.1, inf, 0)"})),
                  "a number"));
+}
+
+TEST_CASE("included documents are judged with their names and lines, each once") {
+  const TempFolder folder;
+  const std::string path = folder.file("a.mtlx");
+  std::filesystem::create_directory(folder.file("sub"));
+  spit(path, in_material_x("<xi:include href=\"sub/b.mtlx\"/><xi:include href=\"./c.mtlx\"/>"
+                           "<surfacematerial name=\"M\" type=\"material\"><input name=\"surfaceshader\" "
+                           "type=\"surfaceshader\" nodename=\"s\"/></surfacematerial>"));
+  spit(folder.file("c.mtlx"), in_material_x("<xi:include href=\"sub/b.mtlx\"/>"));
+  spit(folder.file("sub/b.mtlx"),
+       in_material_x("<xi:include href=\"d.mtlx\"/><open_pbr_surface name=\"s\" type=\"surfaceshader\">\n"
+                     "<input name=\"specular_ior\" type=\"float\" nodename=\"n\"/></open_pbr_surface>"));
+  spit(folder.file("sub/d.mtlx"),
+       in_material_x("<constant name=\"n\" type=\"float\"><input name=\"value\" type=\"float\" value=\"15\"/>"
+                     "</constant>"));
+  std::vector<std::string> read;
+  const std::vector<DocumentSurface> surfaces = surfaces_of_document(path, "a.mtlx", &read);
+  REQUIRE(surfaces.size() == 1);
+  CHECK(surfaces[0].name == "M");
+  CHECK(surfaces[0].inputs[0].values == std::vector<double>{15});
+  CHECK(surfaces[0].inputs[0].place == "sub/b.mtlx, line 3");
+  CHECK(read.size() == 3);
+
+  const auto refusal = [&](const std::string& text) {
+    spit(folder.file("c.mtlx"), text);
+    return error_of([&] { (void)surfaces_of_document(path, "a.mtlx"); });
+  };
+  CHECK(contains(refusal(in_material_x("<xi:include href=\"a.mtlx\"/>")),
+                 "c.mtlx:2: \"a.mtlx\" includes itself"));
+  CHECK(contains(refusal(in_material_x("<xi:include href=\"c.mtlx\"/>")), "includes itself"));
+  CHECK(contains(refusal(in_material_x("<xi:include href=\"nothing.mtlx\"/>")), "nothing.mtlx"));
+  CHECK(contains(refusal(in_material_x("<xi:include href=\"../x.mtlx\"/>")),
+                 "outside of the document's folder"));
+  CHECK(
+      contains(refusal(in_material_x("<nodegraph name=\"g\"><xi:include href=\"sub/d.mtlx\"/></nodegraph>")),
+               "inside of a graph"));
+  CHECK(contains(refusal("<a/>"), "c.mtlx: no element materialx"));
+  CHECK(contains(error_of([] {
+                   (void)surfaces_of_material_x(
+                       "<materialx version=\"1.39\"><xi:include href=\"b\"/></materialx>", "x");
+                 }),
+                 "whose folder holds it"));
+  for (const char* const arc :
+       {"subLayers = [@b.usda@]", "prepend references = @b.usda@</x>", "payload = [@b.usda@]"}) {
+    const std::string layer = std::string("#usda 1.0\ndef \"a\" (\n") + arc + "\n) {}\n";
+    CHECK(contains(refusal_of_document("a.usda", layer), "a.usda:3: another layer, \"b.usda\""));
+  }
+  CHECK(surfaces_of_usda("#usda 1.0\ndef \"a\" ( assetInfo = { asset identifier = @b.usda@ } ) {}\n", "x")
+            .empty());
 }
 
 TEST_CASE("broken USD layers and tables are refused in one line that names the place") {
