@@ -54,8 +54,8 @@ bool may_replace(bool force) {
 void refuse_input(const std::string& file, std::span<const std::string> more) {
   sys::FileInfo info;
   if (!sys::file_info(file, info) || info.kind != sys::FileInfo::Kind::file) return;
-  ReadPlaces(accepted_inputs()).refuse(info, file);
-  ReadPlaces(more).refuse(info, file);
+  ReadPlaces(accepted_inputs(), ReadPlaces::Of::files_alone).refuse(info, file);
+  ReadPlaces(more, ReadPlaces::Of::files_alone).refuse(info, file);
 }
 
 void check_output(const OutputArguments& arguments) {

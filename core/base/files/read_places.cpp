@@ -7,7 +7,7 @@
 
 namespace etak {
 
-void ReadPlaces::add(const std::string& path) {
+void ReadPlaces::add(const std::string& path, Of of) {
   namespace fs = std::filesystem;
   const auto info_of = [](const fs::path& at, sys::FileInfo& info) {
     return sys::file_info(sys::path_text(at), info) &&
@@ -16,6 +16,10 @@ void ReadPlaces::add(const std::string& path) {
   std::error_code failure;
   sys::FileInfo info;
   if (!info_of(path, info)) return;
+  if (of == Of::files_alone) {
+    places_.try_emplace({info.device, info.number}, path);
+    return;
+  }
   const fs::path typed = fs::absolute(path, failure);
   // Above a link lie the folders of its name and those of its target.
   for (const fs::path& whole : {fs::canonical(typed, failure), typed.lexically_normal()})

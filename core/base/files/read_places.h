@@ -15,11 +15,14 @@ namespace etak {
 /// second mount of a folder hides one of them from an output that would take its place.
 class ReadPlaces {
  public:
-  explicit ReadPlaces(std::span<const std::string> paths = {}) {
-    for (const std::string& path : paths) add(path);
+  /// The files, or with the folders above them, of which many take a search of every folder on the way.
+  enum class Of { files_alone, folders_too };
+
+  explicit ReadPlaces(std::span<const std::string> paths = {}, Of of = Of::folders_too) {
+    for (const std::string& path : paths) add(path, of);
   }
   /// A file or folder of the disk; a path that leads to nothing, or to a pipe, adds nothing.
-  void add(const std::string& path);
+  void add(const std::string& path, Of of = Of::folders_too);
 
   /// The path by which a file, or a folder that it is or lies in or below, was added first; null: it was not.
   const std::string* find(const sys::FileInfo& info) const;
