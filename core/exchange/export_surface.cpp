@@ -9,6 +9,7 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
+#include "core/exchange/export_values.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
 #include "core/material/optics_class.h"
@@ -141,8 +142,10 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
     if (!result.f82) out.notes.emplace_back("no edge is known: the data are reflectance at normal incidence");
     if (out.kind == SurfaceKind::dielectric && out.diffuse == LinearRgb{})
       take_clarity(material, clarity(material, dataset, options.space), out);
-    if (options.outside.label != "vacuum")
+    if (options.outside.label != "vacuum") {
       out.notes.push_back("all values are against the outside medium " + options.outside.label);
+      out.source += std::string(source_outside) + options.outside.label;
+    }
   }
   const DefaultGloss standard = default_gloss(material, out.clear.has_value());
   if (!gloss) out.notes.push_back(default_gloss_remark(standard));

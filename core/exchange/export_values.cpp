@@ -225,9 +225,14 @@ std::string export_text(const std::vector<ExportedValues>& all) {
   const bool many = all.size() > 1 || all.front().targets.size() > 1;
   for (const ExportedValues& each : all)
     for (const EngineValues& values : each.targets) {
-      if (many)
-        out += (out.empty() ? "" : "\n") + std::string(engine_target(values.target)->comment) +
-               line_text(each.surface.name + ", " + std::string(engine_target(values.target)->title)) + '\n';
+      const EngineTarget& target = *engine_target(values.target);
+      const std::size_t outside =
+          std::min(each.surface.source.find(source_outside), each.surface.source.size());
+      if (many || outside < each.surface.source.size())
+        out += (out.empty() ? "" : "\n") + std::string(target.comment) +
+               line_text(each.surface.name + ", " + std::string(target.title) +
+                         each.surface.source.substr(outside)) +
+               '\n';
       out += copy_text(values);
       if (!out.ends_with('\n')) out += '\n';
     }

@@ -16,6 +16,9 @@ std::vector<const EngineTarget*> engine_targets_named(const std::vector<std::str
 ///   to   "mtlx", "gltf", "glb" or "values"
 void require_export_space(std::string_view to, const F0Options& options);
 
+/// How the source of a surface goes on before the medium that F0 is against, where that is not vacuum.
+inline constexpr std::string_view source_outside = "; F0 against ";
+
 /// A surface with its values in every target asked for.
 struct ExportedValues {
   ExportSurface surface;

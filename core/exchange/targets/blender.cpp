@@ -96,7 +96,7 @@ void write_metallic(const TargetJob& j) {
 
 std::string metallic_script(const ExportSurface& s, const EngineValues& values) {
   const bool metal = s.kind == SurfaceKind::metal;
-  std::string out = "\nmaterial = bpy.data.materials.new(" + json(s.name) +
+  std::string out = "\n# " + line_text(s.title()) + "\nmaterial = bpy.data.materials.new(" + json(s.name) +
                     ")\nmaterial.use_nodes = True\nnodes = material.node_tree.nodes\nnodes.clear()\n"
                     "shader = nodes.new(\"ShaderNodeBsdf" +
                     (metal ? "Metallic" : "Principled") + "\")\n";

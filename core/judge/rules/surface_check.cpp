@@ -2,6 +2,7 @@
 #include "core/judge/rules/surface_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -28,6 +29,14 @@ std::string bare_name(std::string_view name) {
   for (const std::string_view behind : {"_surface", "_material", "_mat"})
     if (text.ends_with(behind)) text.resize(text.size() - behind.size());
   return text;
+}
+
+// Whether it states a coat, under which a base has another F0 than in air.
+bool is_coated(const DocumentSurface& surface) {
+  constexpr std::array names{"coat_weight", "coat", "clearcoat", "KHR_materials_clearcoat.clearcoatFactor"};
+  return std::ranges::any_of(surface.inputs, [&](const SurfaceInput& input) {
+    return std::ranges::count(names, input.name) > 0 && input.values.size() == 1 && input.values[0] > 0;
+  });
 }
 
 }  // namespace
@@ -62,17 +71,15 @@ double distance_of(const LinearRgb& f0, const KnownF0& entry) {
 bool is_what_it_is_called(const KnownMaterials& known, const DocumentSurface& surface, const LinearRgb& f0) {
   const auto entries = named_material(known, surface.name);
   if (!entries) return false;
-  return entries->empty() || std::ranges::any_of(*entries, [&](const KnownF0* entry) {
+  return entries->empty() || is_coated(surface) || std::ranges::any_of(*entries, [&](const KnownF0* entry) {
            return entry->layers || distance_of(f0, *entry) <= near_measured;
          });
 }
 
 bool is_as_measured(const KnownMaterials& known, const DocumentSurface& surface) {
   const DocumentValues values = values_of(surface);
-  const auto entries = named_material(known, surface.name);
-  if (!values.f0)
-    return entries && values.film_nm &&
-           std::ranges::any_of(*entries, [](auto* each) { return each->layers; });
+  // What a film shows is not told by the F0 of its base.
+  if (!values.f0) return values.film_nm.has_value();
   if (!is_what_it_is_called(known, surface, *values.f0)) return false;
   if (values.sort == SurfaceSort::metal) return true;
   if (!values.base_color || !values.transmission) return false;

@@ -11,6 +11,7 @@
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/fresnel/fresnel.h"
+#include "core/material/find.h"
 #include "tests/core/exchange/field.h"
 #include "tests/core/material/library_support.h"
 #include "tests/gltf_judge.h"
@@ -213,6 +214,20 @@ TEST_CASE("documents hold every material once, under names of their own") {
   const std::string hlsl =
       export_text(exported_values(surfaces, {"a", "b", "c", "d"}, {engine_target("hlsl")}, Fit::clamp, 1));
   CHECK(hlsl.starts_with("// Gold, HLSL\nstatic const float3 f0 = float3("));
+}
+
+TEST_CASE("every text says which medium F0 is against, where that is not vacuum") {
+  F0Options wet;
+  wet.outside = outside_medium(library(), "water", "place", {});
+  const ExportSurface gold = exported_surface("gold", wet), dry = exported_surface("gold");
+  for (const EngineTarget& target : engine_targets()) {
+    const auto text = [&](const ExportSurface& s) {
+      return export_text(exported_values({s}, {"a"}, {&target}, Fit::clamp, 1));
+    };
+    INFO(target.id << "\n" << text(gold));
+    CHECK(contains(text(gold), "F0 against water"));
+    CHECK(!contains(text(dry), "against"));
+  }
 }
 
 TEST_CASE("renderers of spectra get n and k at every 5 nm as the data have them") {

@@ -9,6 +9,7 @@
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
 #include "core/exchange/surfaces/document.h"
+#include "core/material/f0_settings.h"
 #include "tests/core/material/library_support.h"
 #include "tests/core/validate/surface_documents.h"
 
@@ -386,6 +387,31 @@ TEST_CASE("broken USD layers and tables are refused in one line that names the p
       contains(refusal_of_document("a.csv", value_table_of({"nothing,a,1,1,,"})), "the target \"nothing\""));
   CHECK(contains(refusal_of_document("a.csv", "id,dataset,target,field,text,value1,value2,value3\na,b\n"),
                  "2 fields"));
+}
+
+TEST_CASE("exports of coats and of stacks that the library does not have get no remark") {
+  const LibraryWhenAsked of_tests = []() -> const MaterialLibrary& { return library(); };
+  std::vector<ExportSurface> surfaces;
+  for (const char* const name :
+       {"gold", "titanium", "silicon", "bismuth", "pmma", "diamond", "acetic_acid"}) {
+    InputNames names;
+    names.names = {name};
+    ExportWishes wishes;
+    wishes.coat = coat_setting("1.5", of_tests);
+    surfaces.push_back(
+        export_answer(find_inputs(names, of_tests, 1).at(0), {}, F0Solver({}), wishes).surface.value());
+  }
+  for (const char* const stack : {"anatase:40nm/titanium", "magnesium_fluoride:100nm/glass_bk7"}) {
+    InputNames names;
+    names.names = {stack};
+    surfaces.push_back(
+        export_answer(find_inputs(names, of_tests, 1).at(0), {}, F0Solver({}), {}).surface.value());
+  }
+  std::vector<Changes> changes;
+  CHECK(remarks_on(checked_document("a.mtlx", material_x(surfaces, Fit::clamp, changes))) == "");
+  CHECK(remarks_on(checked_document("a.gltf", gltf_document(surfaces, GltfMaterialForm::metal_rough,
+                                                            GltfContainer::gltf, Fit::clamp, changes))) ==
+        "");
 }
 
 TEST_CASE("what etak exports itself gets no remark") {
