@@ -116,12 +116,14 @@ struct F0Call {
   TableSettings tables;
   bool axis_average = false;
   std::optional<Coat> coat;
+  MaterialsWithout without;
 };
 
 F0Answer answer(const AskedMaterial& asked, const F0Call& call, const Library& library) {
   F0Answer out;
   out.solver = call.solver;
-  const MaterialInput input = find_one(asked, library);
+  MaterialInput input = find_one(asked, library);
+  leave_out(call.without, input.material);
   F0Job job{*out.solver, table_options(call.tables), call.axis_average, true, false};
   job.bands = true;
   job.coat = call.coat;
@@ -196,12 +198,14 @@ py::list answers(const std::vector<py::object>& materials, const std::string& da
                  const py::dict& given, const Library& library, int threads) {
   const std::vector<AskedMaterial> asked = asked_materials(materials, dataset);
   const F0Settings settings = f0_settings({given});
-  F0Call call{nullptr, table_settings({given}), axis_average, {}};
+  F0Call call{nullptr, table_settings({given}), axis_average, {}, {}};
   const std::string coat = Keywords{given}.text("coat");
+  const std::vector<std::string> without = Keywords{given}.texts("without");
   LongWork work;
   std::vector<std::size_t> first;  // that asks the same
   const auto made = work.unlocked([&] {
     call.solver = solver_of(settings, library);
+    if (!without.empty()) call.without = materials_without(library.get(), without);
     call.coat = coat_option(coat, library.when_asked(), call.solver->options(), axis_average);
     std::vector<std::shared_ptr<F0Answer>> out(asked.size());
     std::map<std::pair<std::string, const Material*>, std::size_t> places;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// etak.nearest, etak.export, etak.eval, etak.curve and etak.delta_e: what the verbs of these names answer, and differences of colours.
+// etak.nearest, etak.identify, etak.export, etak.eval, etak.curve and etak.delta_e: what the verbs of these names answer, and differences of colours.
 #include <algorithm>
 
 #include "app/python/module.h"
@@ -7,6 +7,8 @@
 #include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/base/text/text.h"
+#include "core/certainty/publications.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/exchange/export_input.h"
@@ -18,6 +20,7 @@
 #include "core/material/catalogue.h"
 #include "core/material/quality.h"
 #include "core/pages/asked_curves.h"
+#include "core/pages/lists/identify.h"
 #include "core/pages/lists/lists.h"
 #include "core/pages/lists/sources.h"
 #include "core/plot/svg_picture.h"
@@ -40,21 +43,72 @@ std::variant<LinearRgb, Srgb8> color_of(const py::object& value, bool linear) {
   return codes_of(rgb, "color");
 }
 
-std::vector<std::tuple<std::shared_ptr<Material>, std::string, double>> nearest(
-    const py::object& color, bool linear, std::size_t count, const py::object& classes,
-    const Library& library, int threads) {
+// (material, hex, distance, distance over the band or None) of each.
+py::list nearest(const py::object& color, bool linear, std::size_t count, const py::object& classes,
+                 const Library& library, int threads) {
   const auto wanted = color_of(color, linear);
   const std::vector<std::string> only = texts_of(classes, "classes");
   check_classes(only);
+  std::vector<CatalogueEntry> all;
+  std::vector<NearMaterial> found;
+  std::vector<BandOfF0> bands;
+  LongWork work;
+  work.unlocked([&] {
+    const F0Solver solver{F0Options{}};
+    all = catalogue(library.get(), solver, threads_of(threads));
+    found = nearest_materials(all, wanted, only, count);
+    bands = bands_of(found, solver);
+    return true;
+  });
+  py::list out;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto& band = bands[i].band;
+    out.append(py::make_tuple(std::make_shared<Material>(found[i].entry->material),
+                              hex(found[i].entry->result.srgb8), found[i].delta_e,
+                              band ? std::optional(found[i].delta_e / band->de90) : std::nullopt));
+  }
+  return out;
+}
+
+// The document that `etak identify --format json` would write.
+//   colors   of `given`: what is asked; empty: a measured spectrum is
+std::string identify(const std::vector<py::object>& colors, const py::dict& given, const Library& library,
+                     int threads) {
+  const Keywords how{given};
+  const bool linear = how.yes("linear");
+  const auto asked_of = [&](const py::object& color) {
+    const auto typed = color_of(color, linear);
+    const auto* const values = std::get_if<LinearRgb>(&typed);
+    return AskedColour{values ? *values : srgb_decode(std::get<Srgb8>(typed)), {}, values == nullptr};
+  };
+  std::vector<std::pair<std::string, AskedColour>> questions;
+  for (const py::object& each : colors) {
+    auto& [text, asked] = questions.emplace_back(py::str(each).cast<std::string>(), asked_of(each));
+    if (!how.at("f82").is_none()) asked.f82 = asked_of(how.at("f82")).f0;
+    check_asked(asked, printable(text));
+  }
+  const std::string film = how.text("film"), measured = how.text("measured"), stack = how.text("stack"),
+                    weights = how.text("prior");
+  const std::vector<std::string> classes = how.texts("classes"), without = how.texts("without"),
+                                 oxides = how.texts("oxide");
   LongWork work;
   return work.unlocked([&] {
-    const std::vector<CatalogueEntry> all =
-        catalogue(library.get(), F0Solver{F0Options{}}, threads_of(threads));
-    std::vector<std::tuple<std::shared_ptr<Material>, std::string, double>> out;
-    for (const NearMaterial& each : nearest_materials(all, wanted, only, count))
-      out.emplace_back(std::make_shared<Material>(each.entry->material), hex(each.entry->result.srgb8),
-                       each.delta_e);
-    return out;
+    const F0Solver solver{F0Options{}};
+    const MaterialLibrary& known = library.get();
+    if (!measured.empty()) return identify_json(identified_thickness(measured, stack, known, solver));
+    if (!film.empty()) {
+      std::vector<IdentifiedFilm> answers;
+      for (const auto& [text, asked] : questions)
+        answers.push_back({text, films_of_color({film, oxides}, asked, known, solver, threads_of(threads))});
+      return identify_json(answers);
+    }
+    const Prior prior = weights.empty() ? Prior{} : parse_prior(weights, "prior", known);
+    Identifier identifier(known, solver, classes, threads_of(threads));
+    for (auto& [id, material] : materials_without(known, without))
+      identifier.replace(id, std::move(material), solver);
+    std::vector<IdentifiedColor> answers;
+    for (const auto& [text, asked] : questions) answers.push_back({text, identifier.identify(asked, prior)});
+    return identify_json(answers);
   });
 }
 
@@ -267,6 +321,7 @@ py::tuple curve_call(const std::vector<py::object>& materials, const std::string
 
 void add_questions(py::module_& module) {
   module.def("nearest", &nearest);
+  module.def("identify", &identify);
   module.def("hex_color", [](const std::string& text) { return array_of_rgb(srgb_decode(parse_hex(text))); });
   module.def("delta_e", &delta_e);
   module.def("evaluated", &evaluated);

@@ -95,6 +95,23 @@ bool lies_inside(const Band& band, const LinearRgb& stated, const LinearRgb& col
   return delta_e2000(to_lab(stated), to_lab(colour)) <= band.de90;
 }
 
+std::array<LinearRgb, 5> half_band_colors(const Band& band, const LinearRgb& stated) {
+  // The colour whose channels are multiplied by powers of one factor.
+  const auto at_rim = [&](const Vec3& powers) {
+    const auto changed = [&](double t) {
+      return LinearRgb{stated.r * std::exp(t * powers[0]), stated.g * std::exp(t * powers[1]),
+                       stated.b * std::exp(t * powers[2])};
+    };
+    double low = 0, high = 2;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = (low + high) / 2;
+      (delta_e2000(to_lab(stated), to_lab(changed(middle))) < band.de50 ? low : high) = middle;
+    }
+    return changed(low);
+  };
+  return {at_rim({-1, -1, -1}), at_rim({-1, 0, 1}), stated, at_rim({1, 0, -1}), at_rim({1, 1, 1})};
+}
+
 Band computed_band(BandClass kind, const LinearRgb& stated, const BandTable& table) {
   Band out = around(stated, table.computed_half[offset_de], table.computed_nine);
   out.kind = kind;

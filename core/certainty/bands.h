@@ -83,6 +83,10 @@ Band band(BandClass kind, const LinearRgb& stated, std::span<const LinearRgb> ot
 ///   slack    how much further a channel may lie, as a step of 8 bits does
 bool lies_inside(const Band& band, const LinearRgb& stated, const LinearRgb& colour, double slack = 0);
 
+/// Colours at the rim of the half band, to be looked at beside each other: darker, bluer, stated, redder, lighter. Red and blue are
+/// changed by one factor, or all channels, until the colour lies de50 from the stated one.
+std::array<LinearRgb, 5> half_band_colors(const Band& band, const LinearRgb& stated);
+
 /// Of an F0 that is computed from theory.
 Band computed_band(BandClass kind, const LinearRgb& stated, const BandTable& table = shipped_bands());
 

@@ -2,9 +2,14 @@
 #include "core/certainty/publications.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/certainty/calibration.h"
+#include "core/base/setting.h"
+#include "core/base/text/text.h"
+#include "core/material/find.h"
+#include "core/material/names.h"
 #include "core/material/quality.h"
 
 namespace etak {
@@ -54,6 +59,19 @@ std::vector<Publication> publications_beside(const Material& material, const Dat
   return out;
 }
 
+std::size_t nearest_together(std::span<const LinearRgb> colors) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    double sum = 0;
+    for (const LinearRgb& each : colors) sum += offsets(colors[i], each)[offset_de];
+    if (sum >= least) continue;
+    least = sum;
+    best = i;
+  }
+  return best;
+}
+
 std::optional<Material> without_publication(Material material, const Dataset& dataset) {
   const Citation left_out = dataset.citation;
   const std::string was = material.preferred_dataset().id;
@@ -66,21 +84,43 @@ std::optional<Material> without_publication(Material material, const Dataset& da
       material.preferred = i;
       return material;
     }
-  // The others are compared as witnesses of each other, as residuals() does.
+  // The others are compared as witnesses of each other.
   const F0Solver solver{F0Options{}};
-  PublishedMaterial published;
-  std::vector<std::size_t> index, known;
+  std::vector<std::size_t> index;
+  std::vector<LinearRgb> colors;
   for (std::size_t i = 0; i < material.datasets.size(); ++i) {
     const Dataset& each = material.datasets[i];
     const F0Result result = solver.solve(each.optics);
     if (each.origin == Origin::computed || !each.doubtful.empty() || result.refused()) continue;
-    known.push_back(index.size());
     index.push_back(i);
-    published.colours.push_back(result.srgb_linear);
+    colors.push_back(result.srgb_linear);
   }
-  if (!known.empty()) material.preferred = index[stated_of(published, known)];
+  if (!index.empty()) material.preferred = index[nearest_together(colors)];
   material.preferred_reason = "the one that is nearest to the others, without " + dataset.id;
   return material;
+}
+
+MaterialsWithout materials_without(const MaterialLibrary& library, const std::vector<std::string>& names) {
+  MaterialsWithout out;
+  for (const std::string& name : names) {
+    const auto found = find_material(library, name);
+    if (!found || found->dataset.empty())
+      throw Error::at(setting("without"), printable(name) + " names no dataset",
+                      "a material and its dataset: gold/mcpeak-2015");
+    const std::string& id = found->answer.material.id;
+    const Dataset& dataset = dataset_named(found->answer.material, found->dataset, setting("without"));
+    const auto known = out.try_emplace(id, found->answer.material).first;
+    if (known->second) known->second = without_publication(std::move(*known->second), dataset);
+  }
+  return out;
+}
+
+void leave_out(const MaterialsWithout& without, std::shared_ptr<const Material>& material) {
+  const auto found = material ? without.find(material->id) : without.end();
+  if (found == without.end()) return;
+  if (!found->second)
+    throw Error::at(setting("without"), "leaves no dataset of " + material->id, "one of several datasets");
+  material = std::make_shared<const Material>(*found->second);
 }
 
 BandClass band_class(const Material& material, const F0Result& stated) {
@@ -92,6 +132,12 @@ BandClass band_class(const Material& material, const F0Result& stated) {
 
 MaterialBand material_band(const F0Solver& solver, const Material& material, const Dataset& dataset,
                            const F0Result& stated) {
+  return material_band([&](const Dataset& each) { return solver.solve(each.optics); }, material, dataset,
+                       stated);
+}
+
+MaterialBand material_band(const std::function<F0Result(const Dataset&)>& f0_of, const Material& material,
+                           const Dataset& dataset, const F0Result& stated) {
   MaterialBand out;
   out.reason = why_no_band(material, dataset, stated);
   if (!out.reason.empty()) return out;
@@ -104,7 +150,7 @@ MaterialBand material_band(const F0Solver& solver, const Material& material, con
   std::vector<LinearRgb> others;
   for (Publication& each : out.publications) {
     if (!each.left_out.empty()) continue;
-    const F0Result result = solver.solve(each.dataset->optics);
+    const F0Result result = f0_of(*each.dataset);
     if (result.refused())
       each.left_out = "refused: " + result.refusal;
     else

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/certainty/bands.h"
 #include "core/material/f0.h"
+#include "core/material/library.h"
 #include "core/material/material.h"
 
 namespace etak {
@@ -35,11 +41,25 @@ struct MaterialBand {
 ///   stated   F0 of `dataset` by `solver`
 MaterialBand material_band(const F0Solver& solver, const Material& material, const Dataset& dataset,
                            const F0Result& stated);
+/// The same where F0 of the other datasets is known.
+MaterialBand material_band(const std::function<F0Result(const Dataset&)>& f0_of, const Material& material,
+                           const Dataset& dataset, const F0Result& stated);
+
+/// Index of the colour that is nearest to the others together by CIEDE2000; there is at least one.
+std::size_t nearest_together(std::span<const LinearRgb> colors);
 
 /// The material as it would be if a publication were not known: without all of its datasets. Where the preferred one is
 /// among them, the dataset that is nearest to the others together is preferred.
 ///   returns   nothing where no dataset is left
 std::optional<Material> without_publication(Material material, const Dataset& dataset);
+
+/// What is left of materials without publications, by id; none where no dataset is left.
+using MaterialsWithout = std::map<std::string, std::optional<Material>>;
+/// Of the datasets named, "gold/mcpeak-2015". Throws Error (naming the setting "without") for a name that is no dataset of the
+/// library.
+MaterialsWithout materials_without(const MaterialLibrary& library, const std::vector<std::string>& names);
+/// Puts what is left of a material in its place. Throws Error where nothing is.
+void leave_out(const MaterialsWithout& without, std::shared_ptr<const Material>& material);
 
 /// The class by which a material's publications are compared: conductors below the forbidden zone, such as indium tin
 /// oxide, are clear.

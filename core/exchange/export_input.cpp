@@ -7,6 +7,7 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
+#include "core/certainty/publications.h"
 #include "core/exchange/export_coat.h"
 #include "core/material/names.h"
 #include "core/material/quality.h"
@@ -52,6 +53,9 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
   const LinearRgb diffuse = wishes.diffuse.value_or(LinearRgb{0, 0, 0});
   ExportSurface& surface =
       out.surface.emplace(export_surface(material, dataset, solver.options(), result, diffuse, wishes.gloss));
+  const bool averaged = wishes.axis_average && !dataset.axis.empty();
+  if (const auto band = material_band(solver, material, dataset, result).band; band && !averaged)
+    surface.band = words(*band);
   if (wishes.coat && surface.film) {
     out.surface.reset();
     out.refusal =
@@ -76,7 +80,7 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
   }
   surface.opacity = wishes.opacity;
   surface.emission = wishes.emission;
-  if (wishes.axis_average && !dataset.axis.empty()) {
+  if (averaged) {
     surface.notes.push_back("F0 is the average over the axes of the crystal, " + dataset.id +
                             " and its others");
     surface.seen.reset();

@@ -61,6 +61,7 @@ struct ExportSurface {
   std::string id;      // "gold": what it is called in files
   std::string name;    // "Gold"
   std::string source;  // where F0 comes from and how good it is, one line; may be empty
+  std::string band;    // how far new publications would lie from it, one line; empty: not known
   SurfaceKind kind = SurfaceKind::dielectric;
   RgbSpace space = RgbSpace::srgb;  // of all colours here, linear
   LinearRgb f0{0.04, 0.04, 0.04};   // unclipped
@@ -80,8 +81,10 @@ struct ExportSurface {
   double opacity = 1;         // [0, 1]
   LinearRgb emission{0, 0, 0};     // radiance that the surface sends out by itself, >= 0
   std::vector<std::string> notes;  // what was assumed, and what is against the data
-  /// Name and source, as documents tell them.
-  std::string title() const { return name + (source.empty() ? "" : ": " + source); }
+  /// Name, source and band, as documents tell them.
+  std::string title() const {
+    return name + (source.empty() ? "" : ": " + source) + (band.empty() ? "" : "; " + band);
+  }
   const std::string& node_name() const { return node.empty() ? id : node; }
   friend bool operator==(const ExportSurface&, const ExportSurface&) = default;
 };

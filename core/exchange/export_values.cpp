@@ -92,6 +92,7 @@ std::string json_material(const ExportedValues& each) {
                               {"name", json(s.name)},
                               {"dataset", json(each.dataset)},
                               {"source", json(s.source)},
+                              {"band", s.band.empty() ? "null" : json(s.band)},
                               {"kind", json(name(s.kind))},
                               {"f0", json_color(s.f0)},
                               {"f82", s.f82 ? json_color(*s.f82) : "null"},
@@ -192,6 +193,7 @@ std::string export_table(const std::vector<ExportedValues>& all) {
            std::string(name(s.kind)) + (s.gloss.held() ? "" : ", gloss " + number(double{s.gloss}, 6)) +
            ", alpha " + number(s.gloss.alpha(), 4) + ", roughness " + number(s.gloss.roughness(), 4) +
            (s.coat ? ", coat " + line_text(s.coat->label) : "") + '\n';
+    if (!s.band.empty()) out += "  band: " + s.band + '\n';
     for (const std::string& note : s.notes) out += "  note: " + line_text(note) + '\n';
     if (!s.seen && !s.film) out += "  error not stated: " + line_text(s.unseen) + '\n';
     for (const EngineValues& values : each.targets) {

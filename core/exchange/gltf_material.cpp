@@ -102,6 +102,7 @@ std::string extras_of(const ExportSurface& s, const GltfPictures& pictures, cons
                                             {"f0", three(s.coat->f0)},
                                             {"f82", three(s.coat->f82)}})});
   if (!s.source.empty()) members.push_back({"source", json(s.source)});
+  if (!s.band.empty()) members.push_back({"band", json(s.band)});
   if (!s.notes.empty()) members.push_back({"notes", json_array_of(s.notes)});
   if (!changes.empty()) members.push_back({"changes", json_array_of(lines)});
   return json_object(members, 6);

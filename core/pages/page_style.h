@@ -44,6 +44,7 @@ nav span { color: var(--ink-soft); }
 .strip .minor { stroke: var(--ink-soft); }
 .strip .zone { fill: var(--warn-bg); }
 .strip circle { stroke: var(--ink-soft); stroke-width: 0.8; }
+.strip .bar { stroke: var(--ink-soft); opacity: 0.4; }
 .strip a:hover circle, .strip a:focus-visible circle { stroke: var(--ink); stroke-width: 2; }
 .data { border-collapse: separate; border-spacing: 0; font-size: 0.87rem; }
 .data th, .data td { padding: 0.28rem 0.6rem; text-align: left; white-space: nowrap; border-bottom: 1px solid var(--line); }
@@ -85,6 +86,8 @@ figcaption { font-size: 0.8rem; color: var(--ink-soft); line-height: 1.35; margi
 .chip { width: 170px; height: 84px; display: flex; justify-content: flex-end; border: 1px solid var(--line); }
 .big .chip { width: 280px; height: 128px; }
 .big figcaption { color: var(--ink); }
+.rim { display: flex; }
+.rim .chip { width: 70px; height: 36px; }
 .chip i { width: 25%; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 380px), 1fr)); gap: 1rem; margin: 0.5rem 0; }
 .spread { margin: 0.8rem 0 0; }

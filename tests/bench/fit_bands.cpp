@@ -7,9 +7,9 @@
 #include <exception>
 
 #include "core/base/files/file.h"
-#include "core/certainty/calibration.h"
 #include "core/plot/plot_file.h"
 #include "core/plot/svg_plot.h"
+#include "tests/bench/calibration.h"
 
 namespace etak {
 namespace {

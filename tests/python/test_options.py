@@ -16,8 +16,8 @@ VERBS = {"plot": "curve"}  # where a function has not the name of its verb
 NOT_IN_PYTHON = {
     "curve": {"force", "integration", "class", "scale", "straight", "dark"},  # these of the file are of plot()
     "plot": {"integration", "class"},
-    # `bands` are columns of a file; F0.band is always there. Python has the datasets of a material, to leave some out.
-    "f0": {"stdin_format", "allow_empty", "all", "all_datasets", "force", "integration", "class", "sweep", "bands", "without"},
+    # `bands` are columns of a file; F0.band is always there.
+    "f0": {"stdin_format", "allow_empty", "all", "all_datasets", "force", "integration", "class", "sweep", "bands"},
     "validate": {"changed_since", "min_severity", "mask", "fix", "cache_key", "max_warnings", "exit_zero",
                  "write_baseline", "force"},
     "pack": {"no_validate", "cache", "cache_key", "cache_size"},  # validate=False

@@ -18,6 +18,7 @@
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/base/system.h"
+#include "core/certainty/publications.h"
 #include "core/exchange/f0_worker.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
@@ -268,15 +269,8 @@ class F0Run {
   // Gives inputs of the library the materials that --without leaves of them.
   void leave_out(std::vector<MaterialInput>& inputs) {
     if (arguments_.without.empty()) return;
-    const auto materials = materials_without(arguments_.library.get(), arguments_.without);
-    for (MaterialInput& input : inputs) {
-      if (!input.material) continue;
-      const auto found = materials.find(input.material->id);
-      if (found == materials.end()) continue;
-      if (!found->second)
-        throw Error::at("--without", "leaves no dataset of " + input.material->id, "one of several datasets");
-      input.material = std::make_shared<const Material>(*found->second);
-    }
+    const MaterialsWithout without = materials_without(arguments_.library.get(), arguments_.without);
+    for (MaterialInput& input : inputs) etak::leave_out(without, input.material);
   }
 
   // Computes the results of a batch of names.

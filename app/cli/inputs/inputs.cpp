@@ -36,22 +36,6 @@ void add_without_option(Command verb, std::vector<std::string>& without) {
       .value_name("ID/DATASET");
 }
 
-std::map<std::string, std::optional<Material>> materials_without(const MaterialLibrary& library,
-                                                                 const std::vector<std::string>& names) {
-  std::map<std::string, std::optional<Material>> out;
-  for (const std::string& name : names) {
-    const auto found = find_material(library, name);
-    if (!found || found->dataset.empty())
-      throw Error::at("--without", printable(name) + " names no dataset",
-                      "a material and its dataset: gold/mcpeak-2015");
-    const std::string& id = found->answer.material.id;
-    const Dataset& dataset = dataset_named(found->answer.material, found->dataset, "--without");
-    const auto known = out.try_emplace(id, found->answer.material).first;
-    if (known->second) known->second = without_publication(std::move(*known->second), dataset);
-  }
-  return out;
-}
-
 std::vector<MaterialInput> find_tables(const InputNames& names, Library& library, unsigned threads,
                                        const OutputArguments& output) {
   std::vector<std::string> remarks;

@@ -25,11 +25,6 @@ std::vector<MaterialInput> find_tables(const InputNames& names, Library& library
 /// Adds --without ID/DATASET.
 void add_without_option(Command verb, std::vector<std::string>& without);
 
-/// The materials of the library without the publications of the datasets named, by id; none of a material of which no
-/// dataset is left. Throws Error for a name that is no dataset of the library.
-std::map<std::string, std::optional<Material>> materials_without(const MaterialLibrary& library,
-                                                                 const std::vector<std::string>& names);
-
 /// The names in a list file ("-": standard input), separated by NUL bytes where the file has one, else by
 /// line ends. take() hands them out in parts, so that a run over a million names holds only the text of the
 /// list and the names that it works on.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <array>
 #include <memory>
 
 #include "app/cli/inputs/colors.h"
@@ -12,14 +10,11 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
-#include "core/base/parallel.h"
 #include "core/base/text/text.h"
+#include "core/certainty/publications.h"
 #include "core/color/srgb.h"
-#include "core/exchange/table.h"
 #include "core/image/load.h"
 #include "core/judge/engine.h"
-#include "core/material/names.h"
-#include "core/material/stack_text.h"
 #include "core/pages/lists/identify.h"
 
 namespace etak::cli {
@@ -35,12 +30,6 @@ struct IdentifyArguments {
   Library library;
   unsigned threads = 0;
 };
-
-// Films that grow on metals, or are put on them, and are seen as colours.
-constexpr std::array<const char*, 7> usual_films{"titania_amorphous", "tantala",  "niobia", "sapphire",
-                                                 "fused_silica",      "hematite", "zincite"};
-// How far a film's colour may lie from the one that is asked for; of 8-bit codes their step is added.
-constexpr double film_tolerance = 1, code_tolerance = 0.5;
 
 // The colours that are asked for: the one of the line, or a line each of standard input.
 std::vector<std::string> asked_colors(const IdentifyArguments& arguments) {
@@ -117,34 +106,12 @@ int identify_colors(IdentifyArguments& arguments, const F0Solver& solver) {
   return exit_ok;
 }
 
-Stack stack_named(const StackText& text, const MaterialLibrary& library) {
-  const Material material = *library.find(format_stack(text));
-  return std::get<Stack>(material.preferred_dataset().optics);
-}
-
 int identify_films(IdentifyArguments& arguments, const F0Solver& solver) {
   const MaterialLibrary& library = arguments.library.get();
-  std::vector<std::string> films = arguments.oxides;
-  if (films.empty()) films.assign(usual_films.begin(), usual_films.end());
   std::vector<IdentifiedFilm> answers;
-  for (const Question& each : questions(arguments, solver)) {
-    const AskedColour& asked = each.color;
-    std::vector<std::vector<FilmOnMetal>> found(films.size());
-    parallel_chunks(
-        films.size(), thread_count(arguments.threads), 1, [&](std::size_t i, std::size_t, unsigned) {
-          StackText text{{{films[i], 0.0, true, ":0nm"}}, arguments.film};
-          const Stack stack = stack_named(text, library);
-          const double tolerance = film_tolerance + (asked.eight_bit ? code_tolerance : 0);
-          for (const FittedThickness& fit :
-               thickness_of_colour(stack, 0, asked.f0, tolerance, solver.options()))
-            found[i].push_back({stack.media[stack.layers[0].medium].id, stack.media[stack.base].id, fit});
-        });
-    IdentifiedFilm& answer = answers.emplace_back();
-    answer.input = each.input;
-    for (auto& fits : found) answer.answers.insert(answer.answers.end(), fits.begin(), fits.end());
-    std::stable_sort(answer.answers.begin(), answer.answers.end(),
-                     [](const FilmOnMetal& a, const FilmOnMetal& b) { return a.fit.misfit < b.fit.misfit; });
-  }
+  for (const Question& each : questions(arguments, solver))
+    answers.push_back({each.input, films_of_color({arguments.film, arguments.oxides}, each.color, library,
+                                                  solver, thread_count(arguments.threads))});
   write_output(arguments.output,
                arguments.output.format == "json" ? identify_json(answers) : identify_text(answers));
   return exit_ok;
@@ -153,27 +120,8 @@ int identify_films(IdentifyArguments& arguments, const F0Solver& solver) {
 int identify_thickness(IdentifyArguments& arguments, const F0Solver& solver) {
   if (!arguments.color.empty() || !arguments.image.empty())
     throw Error::at("--measured", "beside a colour", "a spectrum and --stack alone");
-  if (arguments.stack.empty())
-    throw Error::at("--measured", "without --stack",
-                    "a stack with one unknown thickness, such as polystyrene:?nm/silicon");
-  StackText text = parse_stack(arguments.stack, "--stack");
-  std::vector<std::size_t> unknown;
-  for (std::size_t i = 0; i < text.layers.size(); ++i)
-    if (!text.layers[i].thickness_nm) unknown.push_back(i);
-  if (unknown.size() != 1)
-    throw Error::at(
-        "--stack",
-        std::to_string(unknown.size()) + " unknown thicknesses in " + printable(arguments.stack, 80),
-        "one, written ?nm");
-  set_thickness(text.layers[unknown[0]], 0);
-  const Stack stack = stack_named(text, arguments.library.get());
-  const Table table = parse_table(read_file(arguments.measured), arguments.measured, TableOptions{});
-  const auto* reflectance = std::get_if<Reflectance>(&table.optics);
-  if (reflectance == nullptr)
-    throw Error::at(arguments.measured, "holds n and k", "a table of wavelength and reflectance R");
-  const IdentifiedThickness answer{
-      arguments.measured, arguments.stack,
-      thickness_of_spectrum(stack, unknown[0], reflectance->spectrum, solver.options())};
+  const IdentifiedThickness answer =
+      identified_thickness(arguments.measured, arguments.stack, arguments.library.get(), solver);
   write_output(arguments.output,
                arguments.output.format == "json" ? identify_json(answer) : identify_text(answer));
   return exit_ok;
@@ -213,7 +161,7 @@ void add_identify(CommandLine& line) {
   verb.option("--film", arguments->film, "the metal under a film whose thickness gives the colour")
       .value_name("METAL");
   verb.option("--oxide", arguments->oxides,
-              "a film to try, with --film; may be repeated (default: " + joined(usual_films) + ")")
+              "a film to try, with --film; may be repeated (default: " + joined(usual_films()) + ")")
       .one_at_a_time()
       .value_name("MATERIAL");
   verb.option("--measured", arguments->measured,

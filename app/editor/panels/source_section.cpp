@@ -46,6 +46,13 @@ SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& l
                                      .arg(all.count)
                                      .arg(qt_text(hex(all.least8)), qt_text(hex(all.most8)))
                                : QObject::tr("one dataset");
+    report.material.preferred = static_cast<std::size_t>(&found.chosen() - found.material.datasets.data());
+    const auto band = band_of(report).band;
+    if (!band) return;
+    out.spread += QStringLiteral("<br>") + QObject::tr("half of the publications lie in here") + ' ';
+    for (const LinearRgb& each : half_band_colors(*band, r.srgb_linear))
+      out.spread += QStringLiteral("<font color=\"%1\">\u2588\u2588</font>").arg(qt_text(hex(srgb_u8(each))));
+    out.spread += QStringLiteral("<br>") + qt_text(words(*band));
   });
   if (!failure.isEmpty()) out.result = failure;
   return out;

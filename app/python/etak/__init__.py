@@ -31,9 +31,9 @@ if TYPE_CHECKING:
 _core._start(_os.path.abspath(__path__[0]))
 
 __all__ = [
-    "CheckedFile", "Choice", "Choices", "Citation", "Dataset", "Error", "F0", "Finding", "Library", "Material",
+    "Candidate", "CheckedFile", "Choice", "Choices", "Citation", "Dataset", "Error", "F0", "Finding", "Identified", "Library", "Material",
     "Near", "Packed", "Report", "Spread", "__version__", "choose", "curve", "dataset", "delta_e", "export", "f0",
-    "fresnel", "fresnel_forms", "functions", "library", "nearest", "pack", "pack_settings", "plot", "read", "sources",
+    "fresnel", "fresnel_forms", "functions", "identify", "library", "nearest", "pack", "pack_settings", "plot", "read", "sources",
     "stack", "validate"]
 
 
@@ -84,11 +84,31 @@ def _restored(kind: Any, version: str, state: "tuple[Any, ...]") -> Any:
 
 
 class Near(NamedTuple):
-    """A material that nearest() found, the hex colour of its F0, and the distance."""
+    """A material that nearest() found, the hex colour of its F0, the distance, and that over the distance within which nine
+    of ten new publications would lie (None where the material has no band)."""
 
     material: Material
     hex: str
     delta_e: float
+    band_share: Optional[float]
+
+
+class Candidate(NamedTuple):
+    """A material that a colour could be: its probability, CIEDE2000 from its F0, and that over `band["de90"]`."""
+
+    material: Material
+    p: float
+    delta_e: float
+    band_share: float
+
+
+class Identified(NamedTuple):
+    """What identify() answers to a colour: "sure", "ambiguous" or "none", the most probable materials first, and the ids of
+    those that cannot be told apart."""
+
+    verdict: str
+    candidates: List[Candidate]
+    groups: List[List[str]]
 
 
 @overload
@@ -99,7 +119,7 @@ def f0(  # type: ignore[misc]  # a list is no Any
     outside: Optional[Number] = ..., aperture: Optional[float] = ..., scatter: Optional[float] = ...,
     coat: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
     columns: Optional[str] = ..., duplicates: Optional[str] = ..., material_class: Optional[str] = ...,
-    origin: Optional[str] = ..., library: Library = ..., threads: int = ...,
+    origin: Optional[str] = ..., without: Any = ..., library: Library = ..., threads: int = ...,
 ) -> List[F0]: ...
 
 
@@ -111,7 +131,7 @@ def f0(
     outside: Optional[Number] = ..., aperture: Optional[float] = ..., scatter: Optional[float] = ...,
     coat: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
     columns: Optional[str] = ..., duplicates: Optional[str] = ..., material_class: Optional[str] = ...,
-    origin: Optional[str] = ..., library: Library = ..., threads: int = ...,
+    origin: Optional[str] = ..., without: Any = ..., library: Library = ..., threads: int = ...,
 ) -> F0: ...
 
 
@@ -133,7 +153,7 @@ def f0(
     aperture: Optional[float] = None, scatter: Optional[float] = None, coat: Optional[Number] = None,
     allow_extrapolation: bool = False, unit: Optional[str] = None, columns: Optional[str] = None,
     duplicates: Optional[str] = None, material_class: Optional[str] = None, origin: Optional[str] = None,
-    library: Library = library, threads: int = 0,
+    without: Any = None, library: Library = library, threads: int = 0,
 ) -> Any:
     """Reflectance at normal incidence as a colour.
 
@@ -146,6 +166,7 @@ def f0(
       coat           a clear layer over it: an index, or a clear material, maybe with a thickness ("water:2mm"); F0.coat
       unit, columns, duplicates   how tables are read, as `etak f0 --help-all` tells
       material_class, origin      what a file does not say of itself: --class and --origin
+      without        datasets whose publications are left out, as if they were not known: "titanium/johnson-1974", or a list
 
     Of arrays, as an array of float64 of shape (N, 3), or (3,) for a single spectrum:
       wavelength     M wavelengths, ascending, in `unit`: nm where none is given, um, A or eV
@@ -177,7 +198,7 @@ def f0(
     """
     given = locals()
     if material is None:
-        for name in ("columns", "duplicates", "material_class", "origin", "aperture", "scatter", "coat"):
+        for name in ("columns", "duplicates", "material_class", "origin", "aperture", "scatter", "coat", "without"):
             if given[name] is not None:
                 raise Error(f"{name}: is given beside arrays; expected a material or a table in a file")
         return _core.f0_of_rows(given, library, threads)
@@ -342,6 +363,14 @@ def choose(
     return _documents().choices_of(_core.choose(materials, locals(), library, threads, progress))
 
 
+def _asked_color(color: Any, linear: bool, library: Library) -> "tuple[Any, bool]":
+    # A material or file is asked about by its unclipped F0.
+    if isinstance(color, (Material, Dataset)) or hasattr(color, "__fspath__") or (
+            isinstance(color, str) and not color.startswith("#")):
+        color = f0(color, library=library)
+    return (color.srgb, True) if isinstance(color, F0) else (color, linear)
+
+
 def nearest(
     color: Any, *, linear: bool = False, count: int = 5, classes: Any = None, library: Library = library,
     threads: int = 0,
@@ -354,12 +383,48 @@ def nearest(
     >>> [(each.material.id, round(each.delta_e, 1)) for each in etak.nearest("#ffe49c", count=1)]
     [('gold', 0.0)]
     """
-    if isinstance(color, (Material, Dataset)) or hasattr(color, "__fspath__") or (
-            isinstance(color, str) and not color.startswith("#")):
-        color = f0(color, library=library)
-    if isinstance(color, F0):
-        color, linear = color.srgb, True
+    color, linear = _asked_color(color, linear, library)
     return [Near(*each) for each in _core.nearest(color, linear, count, classes, library, threads)]
+
+
+def identify(
+    color: Any = None, *, linear: bool = False, f82: Any = None, classes: Any = None,
+    prior: Optional[Dict[str, float]] = None, without: Any = None, film: Optional[str] = None, oxide: Any = None,
+    measured: Optional[Path] = None, stack: Optional[str] = None, library: Library = library, threads: int = 0,
+) -> Any:
+    """Which material a colour could be, as `Identified`; of a list of colours a list of them.
+
+      color     as nearest() takes it
+      f82       the reflectance at 82 degrees, in the form of color
+      prior     how much more likely materials are than the others, whose weight is 1: {"gold": 10}
+      without   datasets whose publications are left out: "gold/mcpeak-2015", or a list
+      film      the metal under a film: then the answers are films with their thicknesses, dictionaries as the JSON of
+                `etak identify` has them; oxide: those that are tried
+      measured  in place of a colour: a table of wavelength and reflectance of a `stack` with one unknown thickness,
+                "polystyrene:?nm/silicon"; the answer is a dictionary
+
+    >>> answer = etak.identify("#ffe49c")
+    >>> answer.verdict, answer.candidates[0].material.id
+    ('ambiguous', 'gold')
+    """
+    import json
+
+    given = locals()
+    several = isinstance(color, list) and not all(isinstance(each, (int, float)) for each in color)
+    asked = color if several else [] if color is None else [color]
+    if (measured is None) == (not asked):
+        raise Error("color: expected a colour, or measured with a stack, one of the two")
+    pairs = [_asked_color(each, linear, library) for each in asked]
+    given["linear"] = any(is_linear for _, is_linear in pairs)
+    given["prior"] = prior and "id,weight\n" + "".join(f"{name},{weight}\n" for name, weight in prior.items())
+    rows = json.loads(_core.identify([each for each, _ in pairs], given, library, threads))["results"]
+    if measured is not None:
+        return rows[0]
+    if film is None:
+        rows = [Identified(row["verdict"], [
+            Candidate(library[each["id"]], each["p"], each["delta_e"], each["band_share"]) for each in row["candidates"]],
+            row["groups"]) for row in rows]
+    return rows if several else rows[0]
 
 
 def delta_e(a: Any, b: Any) -> Any:

@@ -144,6 +144,17 @@ void append_swatches(std::string& out, const MaterialReport& report, const F0Pag
   out += "</div>\n";
 }
 
+// The band: its words, and colours at the rim of its half.
+void append_band(std::string& out, const MaterialReport& report) {
+  const auto band = band_of(report).band;
+  if (!band) return;
+  append(out, "<figure><div class=\"rim\">");
+  for (const LinearRgb& each : half_band_colors(*band, preferred_result(report).srgb_linear))
+    append(out, "<div class=\"chip\" style=\"background:", hex(srgb_u8(each)), "\"></div>");
+  append(out, "</div><figcaption>Half of the publications lie in here: ", escape_html(words(*band)),
+         "</figcaption></figure>\n");
+}
+
 std::string three(const LinearRgb& c) {
   return fixed(c.r, 4) + " " + fixed(c.g, 4) + " " + fixed(c.b, 4);
 }
@@ -293,6 +304,7 @@ void append_card(std::string& out, const MaterialReport& report, const F0PageCon
   out += ".</p>\n";
   if (result.refused()) append(out, "<p class=\"refused\">No F0: ", escape_html(result.refusal), ".</p>\n");
   append_swatches(out, report, context);
+  append_band(out, report);
   append_plots(out, report, context.options());
   append_dataset_table(out, report, context.options());
   append_spread(out, report);

@@ -135,6 +135,19 @@ std::vector<F0PageGroup> page_groups(std::span<const MaterialReport> materials) 
   return groups;
 }
 
+MaterialBand band_of(const MaterialReport& report) {
+  const Material& material = report.material;
+  MaterialBand out;
+  if (report.averaged) {
+    out.reason = "a mean over the axes of a crystal";
+    return out;
+  }
+  const auto f0_of = [&](const Dataset& each) {
+    return report.results[static_cast<std::size_t>(&each - material.datasets.data())];
+  };
+  return material_band(f0_of, material, material.preferred_dataset(), report.results[material.preferred]);
+}
+
 F0PageContext::F0PageContext(const F0Options& options) : options_(options) {
   if (options.custom_space) return;
   const auto white_of = [&](Illuminant illuminant) {

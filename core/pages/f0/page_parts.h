@@ -56,7 +56,7 @@ std::string ball_paint(const Material& material, const Dataset& dataset, const F
 /// Short names of the flags of `result`, each with a link to its explanation, then the reason of a refusal.
 void append_flags(std::string& out, const F0Result& result);
 
-/// An SVG with a dot for every material at the luminance of its F0, in one lane each for conductors,
+/// An SVG with a dot for every material at the luminance of its F0, over a bar of its band, in one lane each for conductors,
 /// semiconductors and dielectrics. The forbidden zone is shaded. Surfaces have no F0 and therefore no dot.
 ///   page   address of the F0 page that the dots lead to; empty: the page that the SVG is in
 void append_luminance_strip(std::string& out, std::span<const F0PageGroup> groups,

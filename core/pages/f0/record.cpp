@@ -111,11 +111,9 @@ void append_spread(std::string& out, const Spread& range) {
 }
 
 // How far new publications would lie from the F0 of the preferred dataset, and which datasets do not count.
-void append_band(std::string& out, const MaterialReport& report, const F0Solver& solver) {
-  const Material& material = report.material;
+void append_band(std::string& out, const MaterialReport& report) {
   if (report.averaged) return;
-  const MaterialBand found =
-      material_band(solver, material, material.preferred_dataset(), report.results[material.preferred]);
+  const MaterialBand found = band_of(report);
   const auto line = [&](std::string_view label, const std::string& text) {
     append_labelled(out, 2, 11, label, text);
   };
@@ -145,7 +143,7 @@ std::string record_text(const MaterialReport& report, const F0Solver& solver,
   for (const AliasNote& each : material.alias_notes) line("", each.alias + ": " + each.note);
   line("preferred", material.preferred_dataset().id + ": " + material.preferred_reason);
   append_spread(out, spread(report));
-  append_band(out, report, solver);
+  append_band(out, report);
   for (std::size_t i = 0; i < report.results.size(); ++i)
     if (datasets.empty() ||
         std::find(datasets.begin(), datasets.end(), material.datasets[i].id) != datasets.end())

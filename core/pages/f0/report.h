@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/certainty/publications.h"
 #include "core/exchange/f0_row.h"
 #include "core/material/material.h"
 
@@ -16,6 +17,9 @@ struct MaterialReport {
   std::vector<F0Result> results;  // one per dataset, same order
   bool averaged = false;          // over the axes of crystals; such results have no bands
 };
+
+/// The band of the preferred dataset, or why it has none.
+MaterialBand band_of(const MaterialReport& report);
 
 /// How far the published datasets of a material disagree: the smallest and the largest F0 per channel over
 /// the datasets that were not refused. `count` is the number of these datasets.

@@ -50,6 +50,14 @@ void spread_out(Lane& lane) {
   }
 }
 
+// The luminances that nine of ten new publications of a dot's material would have.
+void append_bar(std::string& out, const Dot& dot, double middle) {
+  const auto band = band_of(*dot.report).band;
+  if (!band) return;
+  append(out, "<path class=\"bar\" d=\"M", fixed(x_of(band->y90[0]), 1), " ", fixed(middle + dot.offset, 1));
+  append(out, "H", fixed(x_of(band->y90[1]), 1), "\"/>");
+}
+
 void append_dot(std::string& out, const Dot& dot, double middle, std::string_view page) {
   const F0Result& result = preferred_result(*dot.report);
   append(out, "<a href=\"", page, "#", anchor("m-", dot.report->material.id), "\"><circle cx=\"");
@@ -84,7 +92,7 @@ void append_luminance_strip(std::string& out, std::span<const F0PageGroup> group
   append(out, height,
          "\" role=\"img\"><title>Luminance of F0 of all materials</title><desc>One dot per material in ");
   out.append(
-      "its own colour, by luminance Y from 0 to 1; the forbidden zone from 0.20 to 0.45 is shaded.</desc>");
+      "its own colour, by luminance Y from 0 to 1; nine of ten new publications of it would lie on its bar; the forbidden zone from 0.20 to 0.45 is shaded.</desc>");
   append(out, "<rect class=\"zone\" x=\"", fixed(zone_x, 1), "\" y=\"", fixed(top - 10, 1));
   append(out, "\" width=\"", fixed(zone_width, 1), "\" height=\"", fixed(bottom - top + 10, 1), "\"/>");
   append(out, "<text x=\"", fixed(zone_x + zone_width / 2, 1));
@@ -107,6 +115,7 @@ void append_luminance_strip(std::string& out, std::span<const F0PageGroup> group
     const double middle = y + lane.reach;
     append(out, "<text class=\"label\" x=\"", fixed(first_x - 14, 0), "\" y=\"", fixed(middle + 4, 1));
     append(out, "\" text-anchor=\"end\">", lane.title, "</text>");
+    for (const Dot& dot : lane.dots) append_bar(out, dot, middle);
     for (const Dot& dot : lane.dots) append_dot(out, dot, middle, page);
     y += 2 * lane.reach + lane_gap;
   }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/certainty/identify.h"
@@ -29,6 +30,17 @@ struct FilmOnMetal {
   std::string film, metal;
   FittedThickness fit;
 };
+/// The metal under a film, and the films that are tried; none: usual_films().
+struct FilmQuestion {
+  std::string metal;
+  std::vector<std::string> films;
+};
+/// Films that grow on metals, or are put on them, and are seen as colours.
+std::span<const std::string_view> usual_films();
+/// Throws Error for a name that is no material of a film.
+std::vector<FilmOnMetal> films_of_color(const FilmQuestion& question, const AskedColour& asked,
+                                        const MaterialLibrary& library, const F0Solver& solver,
+                                        unsigned threads);
 struct IdentifiedFilm {
   std::string input;
   std::vector<FilmOnMetal> answers;
@@ -42,6 +54,10 @@ struct IdentifiedThickness {
   std::string input, stack;
   SpectrumFit fit;
 };
+/// Of a table of reflectance in a file. Throws Error for a stack without one unknown thickness, for a file without
+/// reflectance, and as thickness_of_spectrum() does.
+IdentifiedThickness identified_thickness(const std::string& file, const std::string& stack,
+                                         const MaterialLibrary& library, const F0Solver& solver);
 std::string identify_text(const IdentifiedThickness& answer);
 std::string identify_json(const IdentifiedThickness& answer);
 

@@ -6,10 +6,10 @@
 #include <cstdlib>
 
 #include "core/base/text/csv.h"
-#include "core/certainty/calibration.h"
 #include "core/certainty/publications.h"
 #include "core/exchange/f0_worker.h"
 #include "core/material/quality.h"
+#include "tests/bench/calibration.h"
 #include "tests/core/material/library_support.h"
 #include "tests/support.h"
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/certainty/calibration.h"
+#include "tests/bench/calibration.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text/csv.h"
 #include "core/base/text/text.h"
+#include "core/certainty/publications.h"
 
 namespace etak {
 namespace {
@@ -103,17 +103,9 @@ std::vector<PublishedMaterial> parse_publications(std::string_view text, std::st
 std::size_t stated_of(const PublishedMaterial& material, std::span<const std::size_t> known) {
   if (material.preferred && std::find(known.begin(), known.end(), *material.preferred) != known.end())
     return *material.preferred;
-  std::size_t best = known.front();
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t i : known) {
-    double sum = 0;
-    for (const std::size_t j : known) sum += offsets(material.colours[i], material.colours[j])[offset_de];
-    if (sum < least) {
-      least = sum;
-      best = i;
-    }
-  }
-  return best;
+  std::vector<LinearRgb> colours;
+  for (const std::size_t i : known) colours.push_back(material.colours[i]);
+  return known[nearest_together(colours)];
 }
 
 std::vector<Residual> residuals(std::span<const PublishedMaterial> materials) {
