@@ -28,6 +28,10 @@ class Questions(unittest.TestCase):
             mine = etak.nearest(color, count=4, **more)
             self.assertEqual([each.material.id for each in mine], [each["id"] for each in theirs])
             self.assertEqual([each.hex for each in mine], [each["hex"] for each in theirs])
+            for each, other in zip(mine, theirs):
+                self.assertEqual(each.band_share is None, other["band_share"] is None)
+                if each.band_share is not None:
+                    self.assertAlmostEqual(each.band_share, other["band_share"], places=6)
         theirs = json.loads(said("nearest", "gold/johnson-1972", "-n", "4", "--format", "json"))["nearest"]
         for asked in ("gold/johnson-1972", etak.read("gold/johnson-1972"), etak.f0("gold/johnson-1972")):
             mine = etak.nearest(asked, count=4)
@@ -38,6 +42,31 @@ class Questions(unittest.TestCase):
         with self.assertRaises(etak.Error) as caught:
             etak.nearest("#ffffff", classes="metall")
         self.assertEqual(str(caught.exception), told("nearest", "#ffffff", "--class", "metall"))
+
+    def test_what_a_colour_could_be_is_what_the_command_line_says(self):
+        theirs = json.loads(said("identify", "#ffe29b", "--without", "gold/mcpeak-2015", "--format", "json"))["results"][0]
+        mine = etak.identify("#ffe29b", without="gold/mcpeak-2015")
+        self.assertEqual((mine.verdict, mine.groups), (theirs["verdict"], theirs["groups"]))
+        self.assertEqual([(each.material.id, each.p, each.delta_e, each.band_share) for each in mine.candidates],
+                         [(each["id"], each["p"], each["delta_e"], each["band_share"]) for each in theirs["candidates"]])
+        self.assertEqual(etak.identify(["#ffe29b", (200, 60, 200)])[1].verdict, "none")
+        self.assertEqual(etak.identify("gold").candidates[0].material.id, "gold")
+        weighed = etak.identify([0.58, 0.56, 0.53], linear=True, classes="metal", prior={"iron": 1000})
+        self.assertEqual(weighed.candidates[0].material.id, "iron")
+        film = etak.identify("#5b3382", film="titanium")["answers"]
+        self.assertEqual([(each["film"], round(each["thickness_nm"])) for each in film], [("titania_amorphous", 40)])
+        for call, text in ((lambda: etak.identify(), "color: expected a colour"),
+                           (lambda: etak.identify([1.2, 0, 0], linear=True), "0 to 1.1"),
+                           (lambda: etak.identify("#ffe29b", prior={"wood9": 1}), "prior:2: wood9 is no material"),
+                           (lambda: etak.identify("#ffe29b", without="gold"), "without: gold names no dataset"),
+                           (lambda: etak.identify(measured="r.csv"), "measured: without stack")):
+            with self.subTest(text), self.assertRaisesRegex(etak.Error, text):
+                call()
+
+    def test_f0_leaves_publications_out(self):
+        self.assertNotEqual(etak.f0("titanium", without="titanium/johnson-1974").dataset, "johnson-1974")
+        bands = [etak.f0("gold", without=names).band["publications"] for names in (None, ["gold/mcpeak-2015"])]
+        self.assertEqual(bands[0] - 1, bands[1])
 
     def test_differences_are_those_of_ciede2000(self):
         self.assertEqual(etak.delta_e("#102030", "#102030"), 0)
