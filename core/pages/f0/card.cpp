@@ -145,7 +145,7 @@ void append_swatches(std::string& out, const MaterialReport& report, const F0Pag
 }
 
 // The band: its words, and colours at the rim of its half.
-void append_band(std::string& out, const MaterialReport& report) {
+void append_band_figure(std::string& out, const MaterialReport& report) {
   const auto band = band_of(report).band;
   if (!band) return;
   append(out, "<figure><div class=\"rim\">");
@@ -304,7 +304,7 @@ void append_card(std::string& out, const MaterialReport& report, const F0PageCon
   out += ".</p>\n";
   if (result.refused()) append(out, "<p class=\"refused\">No F0: ", escape_html(result.refusal), ".</p>\n");
   append_swatches(out, report, context);
-  append_band(out, report);
+  append_band_figure(out, report);
   append_plots(out, report, context.options());
   append_dataset_table(out, report, context.options());
   append_spread(out, report);
