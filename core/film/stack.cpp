@@ -8,7 +8,6 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/film/stack_lanes.h"
 
 namespace etak {
 namespace {
@@ -44,14 +43,16 @@ std::pair<FilmPair, FilmPair> amplitudes(const Waves& all, bool reversed) {
     const double turns = all.turns[reversed ? last - 1 - j : j - 1];
     const Complex way = film_way_back(layer.s, turns), once = film_way_back(layer.s, turns / 2);
     const FilmPair upper = film_interface(wave(j - 1), layer);
-    const auto pass = [&](const Complex& from, const Complex& to, const Complex& above, const Complex& below,
+    const FilmPair back = film_back(r, way);
+    const auto pass = [&](const Complex& entering, const Complex& above, const Complex& from_below,
                           const Complex& next) {
-      Complex under = complex_product(above, complex_product(below, way));
+      Complex under = complex_product(above, from_below);
       under.re += 1;
-      return complex_quotient(complex_product(complex_product(passing(from, to), next), once), under);
+      return complex_quotient(complex_product(complex_product(entering, next), once), under);
     };
-    t = {pass(wave(j - 1).s, layer.s, upper.s, r.s, t.s), pass(wave(j - 1).p, layer.p, upper.p, r.p, t.p)};
-    r = film_layer(upper, r, way);
+    t = {pass(passing(wave(j - 1).s, layer.s), upper.s, back.s, t.s),
+         pass(passing(wave(j - 1).p, layer.p), upper.p, back.p, t.p)};
+    r = film_seen(upper, back);
   }
   return {r, t};
 }
@@ -156,14 +157,6 @@ Film film_at(const FilmSpectra& film, std::size_t index) {
   for (const FilmSpectra::Layer& layer : film.layers)
     out.layers.push_back({medium(layer.medium), layer.thickness_nm, layer.coherent});
   return out;
-}
-
-void film_reflectance(const FilmSpectra& film, double cosine, std::span<double> out) {
-  bool coherent = true;
-  for (const FilmSpectra::Layer& layer : film.layers) coherent = coherent && layer.coherent;
-  if (coherent && cosine > 0) return film_lanes(film, cosine, out);
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = film_light(film_at(film, i), film.wavelength_nm[i], cosine).reflected.mean();
 }
 
 }  // namespace etak

@@ -123,19 +123,19 @@ Complex film_seen(Complex above, Complex back) {
   return complex_quotient(complex_sum(above, back), under);
 }
 
-// The amplitude that a layer reflects whose upper side reflects `above` and whose lower side `below`.
-Complex film_joined(Complex above, Complex below, Complex way) {
-  return film_seen(above, complex_product(below, way));
+FilmPair film_seen(FilmPair above, FilmPair back) {
+  FilmPair seen;
+  seen.s = film_seen(above.s, back.s);
+  seen.p = film_seen(above.p, back.p);
+  return seen;
 }
 
-// What a layer on something reflects.
-//   surface     of the layer's upper side
-//   below       what its lower side reflects
-FilmPair film_layer(FilmPair surface, FilmPair below, Complex way) {
-  FilmPair r;
-  r.s = film_joined(surface.s, below.s, way);
-  r.p = film_joined(surface.p, below.p, way);
-  return r;
+// What comes back to the upper side of a layer of what its lower side reflects.
+FilmPair film_back(FilmPair below, Complex way) {
+  FilmPair back;
+  back.s = complex_product(below.s, way);
+  back.p = complex_product(below.p, way);
+  return back;
 }
 
 // At normal incidence, where both polarisations are one and N cos is N.
@@ -168,15 +168,13 @@ FilmStack film_on(real n0, real c, real n, real k) {
 FilmStack film_over(FilmStack under, real n0, real c, real n, real k, real turns) {
   FilmStack stack;
   stack.top = film_wave(n0, c, n, k);
-  FilmPair surface = film_interface(stack.top, under.top);
-  Complex way = film_way_back(stack.top.s, turns);
-  stack.back.s = complex_product(film_seen(surface.s, under.back.s), way);
-  stack.back.p = complex_product(film_seen(surface.p, under.back.p), way);
+  FilmPair below = film_seen(film_interface(stack.top, under.top), under.back);
+  stack.back = film_back(below, film_way_back(stack.top.s, turns));
   return stack;
 }
 
 // The unpolarised reflectance under the outside medium.
 real film_mean(FilmStack stack, real n0, real c) {
-  FilmPair surface = film_interface(film_wave(n0, c, n0, real(0)), stack.top);
-  return (complex_square(film_seen(surface.s, stack.back.s)) + complex_square(film_seen(surface.p, stack.back.p))) / 2;
+  FilmPair r = film_seen(film_interface(film_wave(n0, c, n0, real(0)), stack.top), stack.back);
+  return (complex_square(r.s) + complex_square(r.p)) / 2;
 }

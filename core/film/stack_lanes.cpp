@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The formula text in double over many wavelengths at once: a layer at a time, so that each loop is short enough for the
 // compiler to run it in lanes.
-#include "core/film/stack_lanes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/base/clones.h"
+#include "core/film/stack.h"
 
 #define ETAK_POLYNOMIALS_F64
 
@@ -22,75 +21,69 @@ namespace {
 constexpr std::size_t most = 64;  // wavelengths of a block: all that it holds stays in the nearest cache
 using Row = std::array<double, most>;
 
-// n and k of a medium at the wavelengths of a block.
-struct Block {
-  Row n, k;
+// Complex numbers at the wavelengths of a block: n and k of a medium, or amplitudes.
+struct Numbers {
+  Row re, im;
 
+  Complex at(std::size_t i) const { return {re[i], im[i]}; }
+  void put(std::size_t i, const Complex& number) {
+    re[i] = number.re;
+    im[i] = number.im;
+  }
   void read(const FilmSpectra::Medium& medium, std::size_t from, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) n[i] = medium.n[from + i];
-    for (std::size_t i = 0; i < count; ++i) k[i] = medium.k.empty() ? 0 : medium.k[from + i];
+    for (std::size_t i = 0; i < count; ++i) re[i] = medium.n[from + i];
+    for (std::size_t i = 0; i < count; ++i) im[i] = medium.k.empty() ? 0 : medium.k[from + i];
   }
 };
 
+// Of both polarisations; at normal incidence s is both.
 struct Amplitudes {
-  Row s_re, s_im, p_re, p_im;
+  Numbers s, p;
 };
 
 #define ETAK_LANES __attribute__((flatten)) ETAK_CLONES_O3("avx2")
 
-ETAK_LANES void interface_ahead(const Block& a, const Block& b, Amplitudes& r) {
+ETAK_LANES void interface_ahead(const Numbers& a, const Numbers& b, Amplitudes& r) {
+  for (std::size_t i = 0; i < most; ++i) r.s.put(i, film_interface_ahead(a.at(i), b.at(i)));
+}
+
+ETAK_LANES void layer_ahead(const Numbers& a, const Numbers& b, const Row& turns, Amplitudes& r) {
   for (std::size_t i = 0; i < most; ++i) {
-    const Complex s = film_interface_ahead({a.n[i], a.k[i]}, {b.n[i], b.k[i]});
-    r.s_re[i] = s.re;
-    r.s_im[i] = s.im;
+    const Complex back = complex_product(r.s.at(i), film_way_back(b.at(i), turns[i]));
+    r.s.put(i, film_seen(film_interface_ahead(a.at(i), b.at(i)), back));
   }
 }
 
-ETAK_LANES void layer_ahead(const Block& a, const Block& b, const Row& turns, Amplitudes& r) {
+ETAK_LANES void interface_at(double c, const Row& outside, const Numbers& a, const Numbers& b,
+                             Amplitudes& r) {
   for (std::size_t i = 0; i < most; ++i) {
-    const Complex layer{b.n[i], b.k[i]}, upper = film_interface_ahead({a.n[i], a.k[i]}, layer);
-    const Complex below{r.s_re[i], r.s_im[i]};
-    const Complex s = film_joined(upper, below, film_way_back(layer, turns[i]));
-    r.s_re[i] = s.re;
-    r.s_im[i] = s.im;
+    const FilmPair seen = film_interface(film_wave(outside[i], c, a.re[i], a.im[i]),
+                                         film_wave(outside[i], c, b.re[i], b.im[i]));
+    r.s.put(i, seen.s);
+    r.p.put(i, seen.p);
   }
 }
 
-ETAK_LANES void interface_at(double c, const Row& outside, const Block& a, const Block& b, Amplitudes& r) {
-  for (std::size_t i = 0; i < most; ++i) {
-    const FilmPair f =
-        film_interface(film_wave(outside[i], c, a.n[i], a.k[i]), film_wave(outside[i], c, b.n[i], b.k[i]));
-    r.s_re[i] = f.s.re;
-    r.s_im[i] = f.s.im;
-    r.p_re[i] = f.p.re;
-    r.p_im[i] = f.p.im;
-  }
-}
-
-ETAK_LANES void layer_at(double c, const Row& outside, const Block& a, const Block& b, const Row& turns,
+ETAK_LANES void layer_at(double c, const Row& outside, const Numbers& a, const Numbers& b, const Row& turns,
                          Amplitudes& r) {
   for (std::size_t i = 0; i < most; ++i) {
-    const FilmWave layer = film_wave(outside[i], c, b.n[i], b.k[i]);
-    const FilmPair upper = film_interface(film_wave(outside[i], c, a.n[i], a.k[i]), layer);
-    const Complex way = film_way_back(layer.s, turns[i]);
-    const Complex s = film_joined(upper.s, {r.s_re[i], r.s_im[i]}, way);
-    const Complex p = film_joined(upper.p, {r.p_re[i], r.p_im[i]}, way);
-    r.s_re[i] = s.re;
-    r.s_im[i] = s.im;
-    r.p_re[i] = p.re;
-    r.p_im[i] = p.im;
+    const FilmWave layer = film_wave(outside[i], c, b.re[i], b.im[i]);
+    const FilmPair upper = film_interface(film_wave(outside[i], c, a.re[i], a.im[i]), layer);
+    const FilmPair seen =
+        film_seen(upper, film_back({r.s.at(i), r.p.at(i)}, film_way_back(layer.s, turns[i])));
+    r.s.put(i, seen.s);
+    r.p.put(i, seen.p);
   }
 }
 
-}  // namespace
-
+// Of coherent layers; the cosine is above 0.
 void film_lanes(const FilmSpectra& film, double cosine, std::span<double> out) {
-  Block above{}, below{};
-  above.n.fill(1);
-  below.n.fill(1);
+  Numbers above{}, below{};
+  Amplitudes r{};
+  above.re.fill(1);
+  below.re.fill(1);
   Row outside{}, turns{};
   outside.fill(1);
-  Amplitudes r{};
   for (std::size_t from = 0; from < out.size(); from += most) {
     const std::size_t count = std::min(most, out.size() - from);
     std::copy_n(film.outside.begin() + static_cast<std::ptrdiff_t>(from), count, outside.begin());
@@ -113,10 +106,20 @@ void film_lanes(const FilmSpectra& film, double cosine, std::span<double> out) {
       std::swap(above, below);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      const double s = r.s_re[i] * r.s_re[i] + r.s_im[i] * r.s_im[i];
-      out[from + i] = cosine == 1 ? s : (s + r.p_re[i] * r.p_re[i] + r.p_im[i] * r.p_im[i]) / 2;
+      const double s = complex_square(r.s.at(i));
+      const Complex p = r.p.at(i);
+      out[from + i] = cosine == 1 ? s : (s + p.re * p.re + p.im * p.im) / 2;
     }
   }
+}
+
+}  // namespace
+
+void film_reflectance(const FilmSpectra& film, double cosine, std::span<double> out) {
+  if (cosine > 0 && std::ranges::all_of(film.layers, &FilmSpectra::Layer::coherent))
+    return film_lanes(film, cosine, out);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = film_light(film_at(film, i), film.wavelength_nm[i], cosine).reflected.mean();
 }
 
 }  // namespace etak

@@ -18,8 +18,6 @@ inline vec3 operator*(real s, vec3 a) { return vec3(a.x * s, a.y * s, a.z * s); 
 inline vec3 operator/(vec3 a, real s) { return vec3(a.x / s, a.y / s, a.z / s); }
 #ifdef ETAK_POLYNOMIALS  // float only, for loops that shall run in vector lanes
 #include "core/math/polynomials.h"
-#elif defined(ETAK_POLYNOMIALS_F64)
-#include "core/math/polynomials_f64.h"
 #else
 inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
@@ -28,17 +26,21 @@ inline real clamp(real x, real lo, real hi) { return min(max(x, lo), hi); }
 inline real mix(real a, real b, real t) { return a * (1 - t) + b * t; }
 inline vec3 mix(vec3 a, vec3 b, real t) { return a * (1 - t) + b * t; }
 inline real dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-#if !defined(ETAK_POLYNOMIALS) && !defined(ETAK_POLYNOMIALS_F64)
+#ifndef ETAK_POLYNOMIALS
 inline real abs(real x) { return std::abs(x); }
 inline real sqrt(real x) { return std::sqrt(x); }
 inline real pow(real x, real e) { return std::pow(x, e); }
-inline real exp(real x) { return std::exp(x); }
 inline real exp2(real x) { return std::exp2(x); }
 inline real log(real x) { return std::log(x); }
 inline real log2(real x) { return std::log2(x); }
 inline real erf(real x) { return std::erf(x); }
+#ifdef ETAK_POLYNOMIALS_F64  // double, for such loops
+#include "core/math/polynomials_f64.h"
+#else
+inline real exp(real x) { return std::exp(x); }
 inline real sin(real x) { return std::sin(x); }
 inline real cos(real x) { return std::cos(x); }
+#endif
 
 // No function of GLSL: log2 of c2 = 1 - s2, where s2 is known without cancellation and may be small.
 // resources/shaders/log2_complement.glsl has it for GPUs.

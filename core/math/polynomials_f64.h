@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: transcendental functions without branches or calls, so that loops over them run in vector lanes; for
+// No include guard: the exp, sin and cos of glsl.h without branches or calls, so that loops over them run in vector lanes; for
 // a namespace where `real` is double. Coefficients: Taylor's, of as many terms as the stated ranges need. Constants in
 // two and three pieces after Cody and Waite 1980: products of the first pieces with whole numbers are exact.
 
@@ -8,19 +8,6 @@ inline long long whole_bits(double shifted) {
 }
 // Adding it rounds a number below 2^31 to a whole one and leaves that in the low bits.
 constexpr double to_whole = 6755399441055744.0;  // 1.5 2^52
-
-inline real min(real a, real b) {
-  return b < a ? b : a;
-}
-inline real max(real a, real b) {
-  return a < b ? b : a;
-}
-inline real abs(real x) {
-  return __builtin_fabs(x);
-}
-inline real sqrt(real x) {
-  return __builtin_sqrt(x);
-}
 
 // e^x for x clamped to [-708, 708]: relative error 3e-16.
 inline real exp(real x) {
