@@ -48,7 +48,7 @@ void members(To& to, S& s) {
 }
 template <class To, Like<CoatedF0> S>
 void members(To& to, S& s) {
-  all_members(to, s.n, s.under, s.whole, s.energy_left, s.passes);
+  all_members(to, s.label, s.n, s.under, s.whole, s.energy_left, s.passes);
 }
 template <class To, Like<Band> S>
 void members(To& to, S& s) {

@@ -114,7 +114,9 @@ EngineValues engine_values(const EngineTarget& target, const ExportSurface& surf
   out.target = target.id;
   const bool whole = surface.coat && !target.has_coat;
   const ExportSurface used = whole ? as_whole(surface) : surface;
-  if (whole) out.notes.push_back(whole_note(*surface.coat));
+  if (whole)
+    out.notes.push_back("no field for the coat " + surface.coat->label +
+                        ": F0 and the edge are those of the base with its coat");
   const TargetJob job{used, fit, out};
   write_target(target, job);
   add_emission(job);

@@ -59,33 +59,21 @@ Vec3 TargetCoat::over(const Vec3& base, double cosine) const {
   return out;
 }
 
-void note_fixed_coat(const ExportCoat& coat, Changes& changes) {
+void note_fixed_coat(const CoatedF0& coat, Changes& changes) {
   note_change(changes, "F0 of the coat", {f64::f0(coat.n, 0)}, {TargetCoat{}.reflects(1)}, "fixed",
               "the coat has the index 1.5");
 }
 
-ExportCoat export_coat(const Coat& coat, const CoatedF0& values) {
-  return {coat.label,
-          values.n,
-          values.passes,
-          values.under.linear,
-          values.under.f82.value(),
-          values.whole.linear,
-          values.whole.f82.value()};
-}
-
 ExportSurface under_coat(const ExportSurface& surface, const TargetCoat& target) {
   if (!surface.coat) return surface;
-  const ExportCoat& coat = *surface.coat;
-  return without_coat(surface, base_part(coat.f0, target, 1), base_part(coat.f82, target, f82_cosine));
+  const F0Result& whole = surface.coat->whole;
+  return without_coat(surface, base_part(whole.linear, target, 1),
+                      base_part(whole.f82.value(), target, f82_cosine));
 }
 
 ExportSurface as_whole(const ExportSurface& surface) {
-  return surface.coat ? without_coat(surface, surface.coat->f0, surface.coat->f82) : surface;
-}
-
-std::string whole_note(const ExportCoat& coat) {
-  return "no field for the coat " + coat.label + ": F0 and the edge are those of the base with its coat";
+  if (!surface.coat) return surface;
+  return without_coat(surface, surface.coat->whole.linear, surface.coat->whole.f82.value());
 }
 
 }  // namespace etak

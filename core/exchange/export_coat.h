@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/exchange/export_surface.h"
-#include "core/material/f0_coat.h"
 
 namespace etak {
 
@@ -30,10 +29,7 @@ struct TargetCoat {
 };
 
 /// Adds the Change of a coat that has another index than 1.5.
-void note_fixed_coat(const ExportCoat& coat, Changes& changes);
-
-/// The coat of `values` in the terms of exports.
-ExportCoat export_coat(const Coat& coat, const CoatedF0& values);
+void note_fixed_coat(const CoatedF0& coat, Changes& changes);
 
 /// `surface` without its coat, F0 and F82 being those of a base that is the whole under the target's coat: per channel
 /// (whole - coat) / (passes (1 - coat)). A surface without a coat is returned as it is.
@@ -41,7 +37,5 @@ ExportSurface under_coat(const ExportSurface& surface, const TargetCoat& target)
 
 /// `surface` without its coat, F0 and F82 being those of the whole: for targets that have none.
 ExportSurface as_whole(const ExportSurface& surface);
-/// What is to be told of as_whole().
-std::string whole_note(const ExportCoat& coat);
 
 }  // namespace etak

@@ -16,12 +16,12 @@
 namespace etak {
 namespace {
 
-std::string coat_note(const ExportCoat& coat) {
+std::string coat_note(const CoatedF0& coat) {
   const auto text = [](const LinearRgb& c) {
     return joined(vec(c), " ", [](double value) { return number(value, 4); });
   };
-  return "under the coat " + coat.label + " F0 of the base is " + text(coat.f0_under) +
-         ", and with it that of the whole " + text(coat.f0);
+  return "under the coat " + coat.label + " F0 of the base is " + text(coat.under.linear) +
+         ", and with it that of the whole " + text(coat.whole.linear);
 }
 
 }  // namespace
@@ -64,14 +64,14 @@ ExportAnswer export_answer(const MaterialInput& input, const TableOptions& table
     return out;
   }
   if (wishes.coat) {
-    CoatedF0 coat;
     const std::string place = material.id + "/" + dataset.id;
-    if (std::string why = coated(*wishes.coat, solver.options(), dataset.optics, place, coat); !why.empty()) {
+    const std::string why =
+        coated(*wishes.coat, solver.options(), dataset.optics, place, surface.coat.emplace());
+    if (!why.empty()) {
       out.surface.reset();
       out.refusal = place + ": refused: " + why;
       return out;
     }
-    surface.coat = export_coat(*wishes.coat, coat);
     surface.notes.push_back(coat_note(*surface.coat));
     if (surface.seen) {
       const SeenStack seen(coated_stack(*wishes.coat, dataset.optics), solver.options());

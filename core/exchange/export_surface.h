@@ -12,6 +12,7 @@
 #include "core/iridescence/parameters.h"
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
+#include "core/material/f0_coat.h"
 #include "core/material/material.h"
 
 namespace etak {
@@ -21,19 +22,6 @@ namespace etak {
 
 enum class SurfaceKind { metal, dielectric };
 std::string_view name(SurfaceKind kind);  // "metal", "dielectric"
-
-/// The clear coat over a surface to export, in the colours of the surface's space.
-///   label                as it was asked for: "1.5", "water:2mm"
-///   n                    of the coat at 587.56 nm; outside is air
-///   passes               the share that its k leaves of light on the way down and up, head on
-///   f0_under, f82_under  what the base reflects of light in the coat
-///   f0, f82              of the whole, at cosine 1 and 1/7 outside
-struct ExportCoat {
-  std::string label;
-  double n = 1.5;
-  LinearRgb passes, f0_under, f82_under, f0, f82;
-  friend bool operator==(const ExportCoat&, const ExportCoat&) = default;
-};
 
 /// A stack as the forms of renderers take it.
 ///   choice   which numbers of a form are exported: those that its advice names, or the ones that are said
@@ -69,7 +57,7 @@ struct ExportSurface {
   LinearRgb diffuse{0, 0, 0};       // Schueler's: used unchanged, not reduced by what is reflected
   std::optional<LinearRgb> total;   // measured: what f0 and diffuse add up to at normal incidence
   std::optional<ClearBody> clear;   // of a dielectric without diffuse
-  std::optional<ExportCoat> coat;   // f0 and f82 are those of the base without it
+  std::optional<CoatedF0> coat;     // in air; f0 and f82 are those of the base without it
   std::optional<ExportFilm> film;   // of a stack: f0 and f82 are those of layers and base together
   std::optional<FilmTruth> seen;    // the exact F over the angle, F0's spectra and medium outside
   std::string unseen = "no spectra are behind it";  // where that is not known: why

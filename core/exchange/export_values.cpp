@@ -76,16 +76,6 @@ std::string json_target(const EngineValues& values) {
                    9);
 }
 
-std::string json_coat(const ExportCoat& coat) {
-  return json_object({{"label", json(coat.label)},
-                      {"n", json(coat.n)},
-                      {"f0_under", json_color(coat.f0_under)},
-                      {"f82_under", json_color(coat.f82_under)},
-                      {"f0", json_color(coat.f0)},
-                      {"f82", json_color(coat.f82)}},
-                     -1);
-}
-
 std::string json_material(const ExportedValues& each) {
   const ExportSurface& s = each.surface;
   std::vector<JsonMember> out{{"id", json(s.id)},
@@ -106,7 +96,11 @@ std::string json_material(const ExportedValues& each) {
                               {"notes", json_array_of(s.notes)},
                               {"targets", json_lines_of(each.targets, 6, json_target)}};
   if (s.emission != LinearRgb{}) out.insert(out.end() - 2, {"emission", json_color(s.emission)});
-  if (s.coat) out.insert(out.end() - 2, {"coat", json_coat(*s.coat)});
+  if (s.coat) {
+    std::vector<JsonMember> coat = coat_members(*s.coat, json_color);
+    coat.insert(coat.begin(), {"label", json(s.coat->label)});
+    out.insert(out.end() - 2, {"coat", json_object(coat, -1)});
+  }
   return json_object(out, 4);
 }
 
@@ -119,6 +113,14 @@ std::string json_clear(const std::optional<ClearBody>& body, std::string (*color
                       {"color", color(body->color)},
                       {"depth_m", json(body->depth_m)}},
                      -1);
+}
+
+std::vector<JsonMember> coat_members(const CoatedF0& coat, std::string (*color)(const LinearRgb&)) {
+  return {{"n", json(coat.n)},
+          {"f0_under", color(coat.under.linear)},
+          {"f82_under", color(coat.under.f82.value())},
+          {"f0", color(coat.whole.linear)},
+          {"f82", color(coat.whole.f82.value())}};
 }
 
 std::vector<const EngineTarget*> engine_targets_named(const std::vector<std::string>& ids) {

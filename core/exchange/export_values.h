@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json/json_text.h"
 #include "core/exchange/engine_values.h"
 
 namespace etak {
@@ -36,6 +37,8 @@ std::vector<ExportedValues> exported_values(std::vector<ExportSurface> surfaces,
 /// A clear body as JSON on one line; "null" for none.
 ///   color   how the document writes its colours
 std::string json_clear(const std::optional<ClearBody>& body, std::string (*color)(const LinearRgb&));
+/// Of a coat: its n, F0 and F82 under it and of the whole, as members of JSON.
+std::vector<JsonMember> coat_members(const CoatedF0& coat, std::string (*color)(const LinearRgb&));
 
 /// The error of values in a sentence, or why there is none; empty for colours and constants, of which nobody asks it.
 std::string error_line(const EngineValues& values);

@@ -98,9 +98,9 @@ std::string extras_of(const ExportSurface& s, const GltfPictures& pictures, cons
   if (s.f82) members.push_back({"f82_linear_srgb", three(*s.f82)});
   if (s.coat)
     members.push_back({"coat", line_object({{"n", json(s.coat->n)},
-                                            {"f0_under", three(s.coat->f0_under)},
-                                            {"f0", three(s.coat->f0)},
-                                            {"f82", three(s.coat->f82)}})});
+                                            {"f0_under", three(s.coat->under.linear)},
+                                            {"f0", three(s.coat->whole.linear)},
+                                            {"f82", three(*s.coat->whole.f82)}})});
   if (!s.source.empty()) members.push_back({"source", json(s.source)});
   if (!s.band.empty()) members.push_back({"band", json(s.band)});
   if (!s.notes.empty()) members.push_back({"notes", json_array_of(s.notes)});

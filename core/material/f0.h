@@ -82,6 +82,7 @@ struct Coverage {
   bool is_formula = false;
 
   double least() const;  // smallest of the three weights
+  friend bool operator==(const Coverage&, const Coverage&) = default;
 };
 
 /// The method that Method::automatic took, and the estimated error of that method.
@@ -89,6 +90,7 @@ struct IntegrationStep {
   Method method = Method::exact;
   double error = 0;          // the largest of X, Y and Z, estimated
   bool within_bound = true;  // false: even the exact method has an estimated error above the bound
+  friend bool operator==(const IntegrationStep&, const IntegrationStep&) = default;
 };
 
 /// Reflectance at normal incidence as a colour, and what one must know to trust it.
@@ -114,6 +116,7 @@ struct F0Result {
 
   bool refused() const { return !refusal.empty(); }
   bool out_of_gamut() const;
+  friend bool operator==(const F0Result&, const F0Result&) = default;
 };
 
 /// The mean of F82's curve through F0 and F82 over a diffuse hemisphere, in closed form; none without F82.

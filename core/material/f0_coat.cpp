@@ -51,12 +51,13 @@ std::string coated(const Coat& coat, const F0Options& options, const Optics& opt
   const Stack stack = coated_stack(coat, optics);
   StackSpectra spectra;
   if (std::string why = stack_spectra(setup, stack, q, spectra); !why.empty()) return why;
-  const FilmSpectra whole = spectra.film(stack, q);
+  const FilmSpectra& whole = spectra.film;
   const FilmSpectra::Medium medium = whole.layers.front().medium;
   FilmSpectra under = whole;
   under.outside = medium.n;
   under.layers.erase(under.layers.begin());
   std::vector<double> f0_under(q.wavelength_nm.size()), left(f0_under.size());
+  out.label = coat.label;
   out.n = coat.n;
   out.whole = colour_of(setup, whole, left);
   out.under = colour_of(setup, under, f0_under);

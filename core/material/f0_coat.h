@@ -19,7 +19,7 @@ struct Coat {
   double n = 1, thickness_nm = 0;
 };
 
-/// What a coat makes of a material. Each part has the colours of its spectrum, and no coverage and flags but those of
+/// What a coat, of that label and n, makes of a material. Each part has the colours of its spectrum, and no coverage and flags but those of
 /// out-of-gamut and zone.
 ///   under         the base as light inside of the coat meets it: F0 is (N - n) / (N + n) squared, and F82 is at cosine
 ///                 1/7 in the coat, where a base's own F takes its angle. From outside light reaches cosines of
@@ -33,9 +33,11 @@ struct Coat {
 ///                 Without F82
 ///   passes        A, in the options' space
 struct CoatedF0 {
+  std::string label;
   double n = 1;
   F0Result under, whole, energy_left;
   LinearRgb passes;
+  friend bool operator==(const CoatedF0&, const CoatedF0&) = default;
 };
 
 /// Coat, layers and base, the coat as the outermost layer.

@@ -51,7 +51,7 @@ void write_principled(const TargetJob& j) {
 
 void write_blender(const TargetJob& j) {
   if (!j.s.coat) return write_principled(j);
-  const ExportCoat& coat = *j.s.coat;
+  const CoatedF0& coat = *j.s.coat;
   const TargetCoat over{coat.n, coat.passes, true};
   const ExportSurface base = under_coat(j.s, over);
   write_principled({base, j.fit, j.out, over});

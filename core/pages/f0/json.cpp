@@ -117,16 +117,6 @@ std::string json_f82(const F0Result& r) {
   return json_object({{"absolute", json(*r.f82)}, {"tint", r.f82_tint ? json(*r.f82_tint) : "null"}}, -1);
 }
 
-std::string json_coat(const CoatedF0& coat) {
-  return json_object({{"n", json(coat.n)},
-                      {"f0_under", json(coat.under.linear)},
-                      {"f82_under", json(coat.under.f82.value())},
-                      {"f0", json(coat.whole.linear)},
-                      {"f82", json(coat.whole.f82.value())},
-                      {"energy_left", json(coat.energy_left.linear)}},
-                     -1);
-}
-
 std::string json_band(const Band& band) {
   return json_object({{"publications", json(band.publications)},
                       {"class", json(name(band.kind))},
@@ -188,7 +178,11 @@ std::vector<Member> result_members(const F0Row& row, const Instrument& instrumen
     members.push_back(
         {"instrument",
          json_object({{"aperture", json(instrument.aperture)}, {"scatter", json(instrument.scatter)}}, -1)});
-  if (row.coat) members.push_back({"coat", json_coat(*row.coat)});
+  if (row.coat) {
+    std::vector<Member> coat = coat_members(*row.coat, json);
+    coat.push_back({"energy_left", json(row.coat->energy_left.linear)});
+    members.push_back({"coat", json_object(coat, -1)});
+  }
   if (!row.layers.empty()) {
     std::vector<std::string> layers;
     for (const F0Layer& layer : row.layers)

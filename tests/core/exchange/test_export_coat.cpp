@@ -105,15 +105,16 @@ TEST_CASE("what glTF draws of a metal and its coat of 1.5 adds up to the whole")
     CHECK(number_of(v, "KHR_materials_clearcoat.clearcoatRoughnessFactor") == 0);
     const auto& base = field(v, "baseColorFactor").values;
     // mix(base, coat, 0.04) at normal incidence. Where the coat has another index its own part is off, and told.
-    for (const std::size_t c : held) CHECK(0.04 + 0.96 * base[c] == Approx(vec(s.coat->f0)[c]).epsilon(1e-9));
+    for (const std::size_t c : held)
+      CHECK(0.04 + 0.96 * base[c] == Approx(vec(s.coat->whole.linear)[c]).epsilon(1e-9));
     bool told = false;
     for (const Change& change : v.changes) told = told || change.field == "F0 of the coat";
     CHECK(told == (coat != "1.5"));
   }
   const ExportSurface gold = coated_surface("gold", "1.5");
   const auto base = field(values_for("gltf", gold), "baseColorFactor").values;
-  CHECK(0.04 + 0.96 * base[1] == Approx(gold.coat->f0.g).epsilon(1e-9));
-  CHECK(gold.coat->f0.g == Approx(0.7319).margin(5e-5));
+  CHECK(0.04 + 0.96 * base[1] == Approx(gold.coat->whole.linear.g).epsilon(1e-9));
+  CHECK(gold.coat->whole.linear.g == Approx(0.7319).margin(5e-5));
   // Counted twice, F0 of air would be given.
   CHECK(base[1] < gold.f0.g - 0.04);
 }
@@ -130,10 +131,11 @@ TEST_CASE("what MaterialX draws of OpenPBR's metal and coat is the whole, head o
     const double own = (n - 1) * (n - 1) / ((n + 1) * (n + 1)), own82 = clear_fresnel(n, 1.0 / 7);
     for (const std::size_t c : held) {
       const double base = field(v, "base_color").values[c], color = field(v, "coat_color").values[c];
-      CHECK(own + (1 - own) * color * base == Approx(vec(s.coat->f0)[c]).epsilon(1e-9));
+      CHECK(own + (1 - own) * color * base == Approx(vec(s.coat->whole.linear)[c]).epsilon(1e-9));
       const double tint = field(v, "specular_color").values[c];
       if (tint == 1) continue;  // clamped, and told
-      CHECK(own82 + (1 - own82) * color * tint_at(base, tint) == Approx(vec(s.coat->f82)[c]).epsilon(1e-9));
+      CHECK(own82 + (1 - own82) * color * tint_at(base, tint) ==
+            Approx(vec(*s.coat->whole.f82)[c]).epsilon(1e-9));
     }
   }
 }
@@ -148,11 +150,11 @@ TEST_CASE("what Blender draws of a metal and its coat is the whole, its tint to 
     const double path = 1 / std::sqrt(1 - (1 - 1.0 / 49) / (n * n));
     for (const std::size_t c : held) {
       const double base = field(v, "Base Color").values[c], color = field(v, "Coat Tint").values[c];
-      CHECK(own + (1 - own) * color * base == Approx(vec(s.coat->f0)[c]).epsilon(1e-9));
+      CHECK(own + (1 - own) * color * base == Approx(vec(s.coat->whole.linear)[c]).epsilon(1e-9));
       const double tint = field(v, "Specular Tint").values[c];
       if (tint == 1) continue;
       CHECK(own82 + (1 - own82) * std::pow(color, path) * tint_at(base, tint) ==
-            Approx(vec(s.coat->f82)[c]).epsilon(1e-9));
+            Approx(vec(*s.coat->whole.f82)[c]).epsilon(1e-9));
     }
   }
 }
@@ -167,7 +169,7 @@ TEST_CASE("Filament's own change of F0 under its coat is undone in the values th
       const double f = field(v, "baseColor").values[c];
       const double under = -0.263008 * f * f * f + 0.941892 * f * f + 0.346479 * f - 0.0285998;
       if (f == 1) continue;  // its polynomial ends at 0.9968: clamped, and told
-      CHECK(0.04 + 0.96 * under == Approx(vec(s.coat->f0)[c]).epsilon(1e-6));
+      CHECK(0.04 + 0.96 * under == Approx(vec(s.coat->whole.linear)[c]).epsilon(1e-6));
     }
   }
 }
@@ -245,10 +247,11 @@ TEST_CASE("targets without a coat are given the whole, and told so") {
     const bool told = !v.notes.empty() && contains(v.notes.front(), "no field for the coat 1.5");
     CHECK(told == !target.has_coat);
   }
-  CHECK(field(values_for("linear", s), "F0").values == std::vector{s.coat->f0.r, s.coat->f0.g, s.coat->f0.b});
-  CHECK(field(values_for("unreal", s), "Base Color").values[1] == s.coat->f0.g);
+  CHECK(field(values_for("linear", s), "F0").values ==
+        std::vector{s.coat->whole.linear.r, s.coat->whole.linear.g, s.coat->whole.linear.b});
+  CHECK(field(values_for("unreal", s), "Base Color").values[1] == s.coat->whole.linear.g);
   const auto edge = field(values_for("glsl", s), "f82").values;
-  CHECK(edge[2] == s.coat->f82.b);
+  CHECK(edge[2] == s.coat->whole.f82->b);
 }
 
 TEST_CASE(
@@ -275,7 +278,7 @@ TEST_CASE(
   const double ior = number_of(v, "KHR_materials_ior.ior"), f0 = std::pow((ior - 1) / (ior + 1), 2);
   CHECK(ior == Approx(2.42).margin(0.01));
   CHECK(0.04 + 0.96 * f0 * field(v, "KHR_materials_specular.specularColorFactor").values[1] ==
-        Approx(on_diamond.coat->f0.g).epsilon(1e-9));
+        Approx(on_diamond.coat->whole.linear.g).epsilon(1e-9));
   CHECK(number_of(values_for("unreal", on_diamond), "Refraction (Index of Refraction)") ==
         Approx(2.42).margin(0.01));
 }
