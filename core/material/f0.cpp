@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -30,34 +29,19 @@ constexpr double visible_absorption = 0.01;
 // quarters of a code at 0.04.
 constexpr double flagged_grid_error = 1e-3;
 
-// The data of one medium or reflectance.
+// Flags of the data of one medium or reflectance alone, whatever the result is.
 //   constants   null: reflectance
 //   samples     of n or the reflectance; null: a formula
-struct Data {
-  const OpticalConstants* constants = nullptr;
-  const Spectrum* samples = nullptr;
-
-  Range range() const {
-    return constants ? range_of(*constants) : Range{samples->first_nm(), samples->last_nm()};
-  }
-};
-
-Data data_of(const OpticalConstants& constants) {
-  return {&constants, std::get_if<Spectrum>(&constants.n)};
-}
-
-// Flags of the data alone, whatever the result is.
-Flags flags_of_data(const Data& data, const Coverage& coverage) {
+Flags flags_of_data(const OpticalConstants* constants, const Spectrum* samples, const Coverage& coverage) {
   Flags out;
   const auto set = [&](Flag flag, bool holds) {
     if (holds) out.set(flag);
   };
-  set(Flag::single_sample, data.samples && data.samples->size() == 1);
+  set(Flag::single_sample, samples && samples->size() == 1);
   set(Flag::extrapolated, coverage.first_nm > core_first_nm || coverage.last_nm < core_last_nm ||
                               coverage.least() < flagged_below);
   set(Flag::gap, coverage.largest_gap_nm > wide_gap_nm);
   set(Flag::sparse, is_sparse(coverage));
-  const OpticalConstants* const constants = data.constants;
   if (!constants) return out;
   const Range n = range_of(*constants);
   set(Flag::formula_clamped, std::holds_alternative<DispersionFormula>(constants->n) &&
@@ -69,11 +53,17 @@ Flags flags_of_data(const Data& data, const Coverage& coverage) {
   return out;
 }
 
-// Adds coverage and flags of the data, and why they have no colour.
-void add_data(const F0Setup& setup, const Data& data, F0Result& result) {
-  result.coverage = coverage_of(data.range(), data.samples, setup.sums);
-  result.flags |= flags_of_data(data, result.coverage);
-  result.refusal = coverage_refusal(setup, data.range(), result.coverage);
+// Adds coverage and flags of such data, and why they have no colour.
+void add_data(const F0Setup& setup, const OpticalConstants* constants, const Spectrum* samples,
+              F0Result& result) {
+  const Range range = constants ? range_of(*constants) : Range{samples->first_nm(), samples->last_nm()};
+  result.coverage = coverage_of(range, samples, setup.sums);
+  result.flags |= flags_of_data(constants, samples, result.coverage);
+  result.refusal = coverage_refusal(setup, range, result.coverage);
+}
+
+void add_medium(const F0Setup& setup, const OpticalConstants& medium, F0Result& result) {
+  add_data(setup, &medium, std::get_if<Spectrum>(&medium.n), result);
 }
 
 // Whether light of 400 nm has fringes in the coherent layers that are narrower than eight steps of the sum.
@@ -98,7 +88,7 @@ void add_stack(const F0Setup& setup, const Stack& stack, F0Result& result) {
   }
   for (std::size_t i = 0; i < stack.media.size(); ++i) {
     F0Result part;
-    add_data(setup, data_of(stack.media[i].constants), part);
+    add_medium(setup, stack.media[i].constants, part);
     result.flags |= part.flags;
     if (i == 0)
       result.coverage = part.coverage;
@@ -116,8 +106,8 @@ void add_stack(const F0Setup& setup, const Stack& stack, F0Result& result) {
 void add_data(const F0Setup& setup, const Optics& optics, F0Result& result) {
   if (const auto* stack = std::get_if<Stack>(&optics)) return add_stack(setup, *stack, result);
   if (const auto* constants = std::get_if<OpticalConstants>(&optics))
-    return add_data(setup, data_of(*constants), result);
-  add_data(setup, {nullptr, &std::get<Reflectance>(optics).spectrum}, result);
+    return add_medium(setup, *constants, result);
+  add_data(setup, nullptr, &std::get<Reflectance>(optics).spectrum, result);
 }
 
 // The knots together with those of the outside medium.
@@ -137,11 +127,6 @@ std::vector<double> estimate(const Refinement& refinement, std::span<const doubl
   const std::span<const double> reflectance = reflect(places);
   if (reflectance.empty()) return {};
   return refinement.estimate(places.wavelength_nm, reflectance);
-}
-
-std::string hemisphere_mean(const F0Setup& setup, const Optics& optics, const Quadrature& q,
-                            std::span<double> out) {
-  return cone_mean(setup, optics, q, std::numeric_limits<double>::infinity(), out);
 }
 
 void check_instrument(const F0Setup& setup) {
@@ -186,12 +171,10 @@ F0Setup f0_setup(F0Options options) {
   out.sums = weight_sums(o.viewing);
   out.quadrature = make_quadrature(o.method, o.viewing);
   if (!out.exact()) out.spaces = colour_spaces(o, out.quadrature);
-  if (const auto* medium = std::get_if<OpticalConstants>(&o.outside.index)) {
+  if (const auto* medium = std::get_if<OpticalConstants>(&o.outside.index))
     set_outside(*medium, out);
-    check_instrument(out);
-    return out;
-  }
-  out.outside_n = std::get<double>(o.outside.index);
+  else
+    out.outside_n = std::get<double>(o.outside.index);
   if (!(out.outside_n > 0) || !std::isfinite(out.outside_n))
     throw Error::at("outside medium", "n = " + number(out.outside_n, 6), "a finite n above 0");
   check_instrument(out);
@@ -320,7 +303,6 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   const auto reflect = [&](const Quadrature& at) -> std::span<const double> {
     room.resize(at.wavelength_nm.size());
     std::string refusal = reflectance_at(setup, optics, at, room, watch, times);
-    if (refusal.empty() && has_mean) refusal = hemisphere_mean(setup, optics, at, room.mean);
     if (refusal.empty()) return room.r0;
     result.refusal = std::move(refusal);
     return {};
@@ -370,8 +352,6 @@ F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const
     std::fill(room.mixed_mean.begin(), room.mixed_mean.end(), 0.0);
     for (const Part& part : parts) {
       result.refusal = reflectance_at(state_->setup, *part.optics, at, room, watch, ignored);
-      if (!result.refused() && has_mean)
-        result.refusal = hemisphere_mean(state_->setup, *part.optics, at, room.mean);
       if (result.refused()) return {};
       for (std::size_t i = 0; i < room.r0.size(); ++i) {
         room.mixed0[i] += part.weight * room.r0[i];

@@ -53,10 +53,9 @@ std::string cone_mean(const F0Setup& setup, const Optics& optics, const Quadratu
                       std::span<double> out) {
   if (std::holds_alternative<Reflectance>(optics))
     return "reflectance at normal incidence tells nothing of the cone of an aperture";
-  const Stack stack = stack_of(optics);
   StackSpectra spectra;
-  if (std::string why = stack_spectra(setup, stack, q, spectra); !why.empty()) return why;
-  const FilmSpectra film = spectra.film(stack, q);
+  if (std::string why = stack_spectra(setup, stack_of(optics), q, spectra); !why.empty()) return why;
+  const FilmSpectra& film = spectra.film;
   for (std::size_t begin = 0, end = 0; begin < out.size(); begin = end) {
     const double outside = film.outside[begin], sine = std::min(aperture / outside, 1.0);
     while (end < out.size() && film.outside[end] == outside) ++end;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From optics to reflectance at the nodes of a quadrature.
 #include <algorithm>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -61,9 +62,8 @@ std::string stack_reflectance(const F0Setup& setup, const Stack& stack, const Qu
   StackSpectra spectra;
   if (std::string why = stack_spectra(setup, stack, q, spectra); !why.empty()) return why;
   watch.lap(timing.interpolate);
-  const FilmSpectra film = spectra.film(stack, q);
-  film_reflectance(film, 1, room.r0);
-  if (!room.r82.empty()) film_reflectance(film, f82_cosine, room.r82);
+  film_reflectance(spectra.film, 1, room.r0);
+  if (!room.r82.empty()) film_reflectance(spectra.film, f82_cosine, room.r82);
   watch.lap(timing.fresnel);
   return {};
 }
@@ -85,13 +85,6 @@ Stack stack_of(const Optics& optics) {
   return out;
 }
 
-FilmSpectra StackSpectra::film(const Stack& stack, const Quadrature& q) const {
-  FilmSpectra out{q.wavelength_nm, outside, {}, {n[stack.base], k[stack.base]}};
-  for (const StackLayer& layer : stack.layers)
-    out.layers.push_back({{n[layer.medium], k[layer.medium]}, layer.thickness_nm, layer.coherent});
-  return out;
-}
-
 std::string stack_spectra(const F0Setup& setup, const Stack& stack, const Quadrature& q, StackSpectra& out) {
   if (!stack.is_open()) return "the materials of the stack " + printable(stack.text) + " were not looked up";
   out.n.assign(stack.media.size(), std::vector<double>(q.wavelength_nm.size()));
@@ -100,6 +93,10 @@ std::string stack_spectra(const F0Setup& setup, const Stack& stack, const Quadra
     if (std::string why = constants_at(setup, stack.media[i].constants, q, out.n[i], out.k[i]); !why.empty())
       return stack.media[i].id + ": " + why;
   out.outside = outside_at(setup, q);
+  out.film = {q.wavelength_nm, out.outside, {}, {out.n[stack.base], out.k[stack.base]}};
+  for (const StackLayer& layer : stack.layers)
+    out.film.layers.push_back(
+        {{out.n[layer.medium], out.k[layer.medium]}, layer.thickness_nm, layer.coherent});
   return {};
 }
 
@@ -133,6 +130,8 @@ std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Qua
   const Instrument& instrument = setup.options.instrument;
   std::string why = instrument.aperture > 0 ? cone_mean(setup, optics, q, instrument.aperture, room.r0)
                                             : reflectance_ahead(setup, optics, q, room, watch, timing);
+  if (why.empty() && setup.options.mean && !room.mean.empty() && !std::holds_alternative<Reflectance>(optics))
+    why = cone_mean(setup, optics, q, std::numeric_limits<double>::infinity(), room.mean);
   if (instrument.scatter > 0)
     for (auto* values : {&room.r0, &room.r82})
       for (double& value : *values) value *= 1 - instrument.scatter;

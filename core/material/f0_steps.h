@@ -60,9 +60,7 @@ Stack stack_of(const Optics& optics);
 struct StackSpectra {
   std::vector<std::vector<double>> n, k;
   std::vector<double> outside;
-
-  /// Views into this, the stack's layers and q.
-  FilmSpectra film(const Stack& stack, const Quadrature& q) const;
+  FilmSpectra film;  // views into these and the quadrature
 };
 
 /// Returns why the data do not allow it; empty: they do.
@@ -75,8 +73,9 @@ std::string cone_mean(const F0Setup& setup, const Optics& optics, const Quadratu
                       std::span<double> out);
 
 /// Reflectance at the nodes of `q` into `room`, which has their size, as the options' instrument has it: r0 at normal
-/// incidence or over the cone of the aperture and, of optical constants without an aperture, r82 at cos 1/7.
-///   room      with an empty r82 none is computed
+/// incidence or over the cone of the aperture and, of all but reflectance, r82 at cos 1/7 without an aperture, and the mean
+/// over a hemisphere where the options ask for it.
+///   room      with an empty r82 or mean none is computed
 ///   returns   why the data do not allow it; empty: they do
 std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Quadrature& q, F0Spectra& room,
                            Stopwatch& watch, F0Timing& timing);

@@ -8,61 +8,48 @@
 #include "core/material/f0_steps.h"
 
 namespace etak {
-namespace {
-
-// All but method and space.
-F0Options on_grid(const F0Options& options, Method sum) {
-  F0Options out;
-  out.method = sum;
-  out.viewing = options.viewing;
-  out.interpolation = options.interpolation;
-  out.outside = options.outside;
-  out.allow_extrapolation = options.allow_extrapolation;
-  out.own_observer = options.own_observer;
-  out.own_illuminant = options.own_illuminant;
-  return out;
-}
-
-}  // namespace
 
 struct SeenStack::State {
   F0Setup setup;
-  StackSpectra spectra;
-  FilmSpectra film;  // views into both
+  StackSpectra spectra = {};  // with views into the setup
+
+  Vec3 seen(std::span<const double> values) const {
+    return setup.spaces.to_srgb * setup.quadrature.integrate(values);
+  }
 };
 
-SeenStack::SeenStack(const Stack& stack, const F0Options& options, Method sum)
-    : state_(std::make_unique<State>(State{f0_setup(on_grid(options, sum)), {}, {}})) {
-  const Quadrature& q = state_->setup.quadrature;
-  if (const std::string why = stack_spectra(state_->setup, stack, q, state_->spectra); !why.empty())
+SeenStack::SeenStack(const Stack& stack, F0Options options, Method sum) {
+  options.method = sum;
+  state_ = std::make_unique<State>(State{f0_setup(std::move(options))});
+  const F0Setup& setup = state_->setup;
+  if (const std::string why = stack_spectra(setup, stack, setup.quadrature, state_->spectra); !why.empty())
     throw Error::at(printable(stack.text, 80), why);
-  state_->film = state_->spectra.film(stack, q);
 }
 SeenStack::~SeenStack() = default;
 SeenStack::SeenStack(SeenStack&&) noexcept = default;
 
 Vec3 SeenStack::operator()(double cosine) const {
-  std::vector<double> reflectance(state_->film.wavelength_nm.size());
-  film_reflectance(state_->film, cosine, reflectance);
-  return state_->setup.spaces.to_srgb * state_->setup.quadrature.integrate(reflectance);
+  std::vector<double> reflectance(spectra().wavelength_nm.size());
+  film_reflectance(spectra(), cosine, reflectance);
+  return state_->seen(reflectance);
 }
 
 Vec3 SeenStack::passed_twice(double cosine) const {
-  const FilmSpectra& film = state_->film;
+  const FilmSpectra& film = spectra();
   std::vector<double> passed(film.wavelength_nm.size());
   for (std::size_t i = 0; i < passed.size(); ++i) {
     const auto [s, p] = film_light(film_at(film, i), film.wavelength_nm[i], cosine).passed;
     passed[i] = (s * s + p * p) / 2;
   }
-  return state_->setup.spaces.to_srgb * state_->setup.quadrature.integrate(passed);
+  return state_->seen(passed);
 }
 
 const FilmSpectra& SeenStack::spectra() const {
-  return state_->film;
+  return state_->spectra.film;
 }
 
 void SeenStack::set_thickness(std::size_t layer, double thickness_nm) {
-  state_->film.layers.at(layer).thickness_nm = thickness_nm;
+  state_->spectra.film.layers.at(layer).thickness_nm = thickness_nm;
 }
 
 }  // namespace etak

@@ -16,7 +16,7 @@ class SeenStack {
   /// Throws Error (naming the stack) for media without n, and as F0Solver does.
   ///   options   all are used but space and method
   ///   sum       nm1, nm5, nm10 or nm20: the wavelengths that are summed
-  explicit SeenStack(const Stack& stack, const F0Options& options = {}, Method sum = Method::nm1);
+  explicit SeenStack(const Stack& stack, F0Options options = {}, Method sum = Method::nm1);
   ~SeenStack();
   SeenStack(SeenStack&&) noexcept;
 

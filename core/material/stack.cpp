@@ -20,13 +20,11 @@ namespace {
 // The media of a stack, each once.
 //   names   of the text, the outermost first and the base last; a medium of one name is one
 //   of_layer, base   indices in names
-//   body             of the base; it is computed once for each dataset of the base, whatever the layers are
 struct Media {
   std::vector<std::string> names;
   std::vector<StackPart> parts;
   std::vector<std::size_t> of_layer;
   std::size_t base = 0;
-  std::optional<ClearBody> body;
 };
 
 std::optional<ClearBody> body_of(const StackPart& part) {
@@ -57,7 +55,7 @@ Media find_media(const StackText& text, std::string_view place, const FindStackP
     out.of_layer.push_back(index_of(text.layers[i].name, where));
   }
   out.base = index_of(text.base, std::string(place) + " base");
-  out.body = body_of(out.parts[out.base]);
+  out.parts[out.base].body = body_of(out.parts[out.base]);
   return out;
 }
 
@@ -68,8 +66,8 @@ Stack opened(const StackText& text, const Media& media, std::string written) {
   out.base = media.base;
   for (const StackPart& part : media.parts) {
     const Dataset& dataset = part.found.chosen();
-    out.media.push_back(
-        {part.found.material.id, dataset.id, dataset.citation, std::get<OpticalConstants>(dataset.optics)});
+    out.media.push_back({part.found.material.id, dataset.id, dataset.citation,
+                         std::get<OpticalConstants>(dataset.optics), part.body});
   }
   for (std::size_t i = 0; i < text.layers.size(); ++i) {
     const StackText::Layer& layer = text.layers[i];
@@ -77,7 +75,6 @@ Stack opened(const StackText& text, const Media& media, std::string written) {
     if (written.empty()) append(out.text, media.parts[media.of_layer[i]].written, layer.rest, '/');
   }
   const StackPart& base = media.parts[media.base];
-  out.media[media.base].body = media.body;
   out.text += written.empty() ? base.written : written;
   return out;
 }
@@ -97,7 +94,6 @@ std::string joined_datasets(const Stack& stack) {
 
 // Adds the stacks in which one medium has another of its datasets. All else they have of the dataset at `of`.
 void add_others(Material& material, std::size_t of, const StackText& text, Media media) {
-  const std::optional<ClearBody> preferred_body = media.body;
   for (StackPart& part : media.parts) {
     if (part.named) continue;
     const StackPart preferred = part;
@@ -107,7 +103,7 @@ void add_others(Material& material, std::size_t of, const StackText& text, Media
       if (i == preferred.found.dataset || !std::holds_alternative<OpticalConstants>(other.optics)) continue;
       part.found.dataset = i;
       part.written = preferred.found.material.id + "/" + other.id;
-      if (is_base) media.body = body_of(part);
+      if (is_base) part.body = body_of(part);
       Dataset dataset = material.datasets[of];
       dataset.optics = opened(text, media, {});
       dataset.id = joined_datasets(std::get<Stack>(dataset.optics));
@@ -116,7 +112,6 @@ void add_others(Material& material, std::size_t of, const StackText& text, Media
       if (material.dataset(dataset.id) == nullptr) material.datasets.push_back(std::move(dataset));
     }
     part = preferred;
-    media.body = preferred_body;
   }
 }
 

@@ -13,10 +13,12 @@ namespace etak {
 /// What a name in the text of a stack stands for.
 ///   named     the name says which dataset, so that no other one is tried in its place
 ///   written   the name that says so: "titanium/palm-2018", or a file's path
+///   body      of a base, where it is clear: open_stacks() computes it once for each dataset, whatever the layers are
 struct StackPart {
   FoundDataset found;
   bool named = false;
   std::string written;
+  std::optional<ClearBody> body = {};
 };
 
 /// Finds what a name of a stack stands for. Throws Error (naming `place`) where there is none.

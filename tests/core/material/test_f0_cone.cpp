@@ -119,7 +119,7 @@ TEST_CASE(
   constexpr int angles = 4000;
   std::vector<double> sum(grid_size), one(grid_size);
   for (int i = 0; i < angles; ++i) {
-    film_reflectance(spectra.film(stack, setup.quadrature), std::sqrt(1 - 0.81 * (i + 0.5) / angles), one);
+    film_reflectance(spectra.film, std::sqrt(1 - 0.81 * (i + 0.5) / angles), one);
     for (std::size_t w = 0; w < grid_size; ++w) sum[w] += one[w] / angles;
   }
   const F0Result many = F0Solver({}).solve(Reflectance{{setup.quadrature.wavelength_nm, sum}});
