@@ -75,9 +75,6 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const F0Result& f0,
                          const Vec3& diffuse, const Gloss& gloss, const F0Options& options = {});
 
-/// The exact F of n and k or of a stack in air, as SpectralFresnel has it, without its table.
-std::function<Vec3(double cosine)> seen_fresnel(const Optics& optics);
-
 /// F of a surface over the angle: its own curve, else that of its optics or of n and k.
 FresnelCurve curve_of(const SurfaceValues& surface);
 

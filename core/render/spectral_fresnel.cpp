@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "core/color/colorspace.h"
 #include "core/fresnel/fresnel.h"
-#include "core/material/seen_stack.h"
 #include "core/render/optics_grid.h"
 #include "core/render/reference.h"
 #include "core/spectrum/integration.h"
@@ -15,32 +13,43 @@ namespace {
 
 constexpr std::size_t fresnel_steps = 4096;
 
-// Converts spectra of reflectance to linear sRGB.
-struct Eye {
-  Quadrature quadrature = make_quadrature(Method::nm1, {});
-  Mat3 to_srgb;
-  Eye() {
-    const Xyz white = to_xyz(quadrature.white());
-    to_srgb = xyz_to_rgb(RgbSpace::srgb, white, white);
+// n and k on the grid, relative to the outside medium.
+GridIndex relative_index(const OpticalConstants& optics, const OutsideMedium& outside,
+                         std::string_view what) {
+  GridIndex index = grid_index(optics, what);
+  GridIndex medium;
+  if (const auto* constants = std::get_if<OpticalConstants>(&outside.index))
+    medium = grid_index(*constants, outside.label);
+  else
+    medium.n.fill(std::get<double>(outside.index));
+  for (std::size_t i = 0; i < grid_size; ++i) {
+    index.n[i] /= medium.n[i];
+    index.k[i] /= medium.n[i];
   }
-  Vec3 see(const GridIndex& index, double c) const {
-    std::array<double, grid_size> reflectance{};
-    etak::f64::fresnel_exact(index.n, index.k, c, reflectance);
-    return to_srgb * quadrature.integrate(reflectance);
-  }
-};
+  return index;
+}
 
 }  // namespace
 
-std::function<Vec3(double)> seen_fresnel(const Optics& optics) {
+SeenFresnel::SeenFresnel(const Optics& optics, std::string_view what, const F0Options& seen)
+    : quadrature_(make_quadrature(Method::nm1, seen.viewing)) {
+  const Quadrature d65 = make_quadrature(Method::nm1, {seen.viewing.observer, Illuminant::d65});
+  to_srgb_ = xyz_to_rgb(RgbSpace::srgb, to_xyz(quadrature_.white()), to_xyz(d65.white()));
   if (const auto* stack = std::get_if<Stack>(&optics))
-    return [seen = std::make_shared<const SeenStack>(*stack)](double c) { return (*seen)(c); };
-  const GridIndex index = grid_index(std::get<OpticalConstants>(optics), "spectral Fresnel");
-  return [index, eye = Eye()](double c) { return eye.see(index, c); };
+    stack_.emplace(*stack, seen);
+  else
+    index_ = relative_index(std::get<OpticalConstants>(optics), seen.outside, what);
+}
+
+Vec3 SeenFresnel::operator()(double cosine) const {
+  if (stack_) return (*stack_)(cosine);
+  std::array<double, grid_size> reflectance{};
+  etak::f64::fresnel_exact(index_->n, index_->k, cosine, reflectance);
+  return rgb(reflectance);
 }
 
 SpectralFresnel::SpectralFresnel(const Optics& optics) : table_(fresnel_steps + 1) {
-  const auto seen = seen_fresnel(optics);
+  const SeenFresnel seen(optics);
   for (std::size_t i = 0; i <= fresnel_steps; ++i) table_[i] = seen(double(i) / fresnel_steps);
 }
 

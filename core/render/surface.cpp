@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -9,7 +10,6 @@
 #include "core/material/appearance.h"
 #include "core/material/dispersion.h"
 #include "core/material/f0.h"
-#include "core/material/seen_stack.h"
 #include "core/render/optics_grid.h"
 #include "core/render/scene.h"
 #include "core/spectrum/interpolate.h"
@@ -101,7 +101,7 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
   if (stack == nullptr) return out;
   out.optics = *stack;
   const SeenStack seen(*stack, options);
-  out.curve = fitted_curve([&](double c) { return seen(c); });
+  out.curve = fitted_curve(std::cref(seen));
   if (body)
     out.layers = {body->n_d.value_or(1.5) / outside_index(options),
                   fitted_curve([&](double c) { return seen.passed_twice(c); })};
@@ -115,7 +115,10 @@ double unseen_luminance(const SurfaceValues& surface) {
 
 FresnelCurve curve_of(const SurfaceValues& surface) {
   if (surface.curve) return *surface.curve;
-  if (surface.optics) return fitted_curve(seen_fresnel(*surface.optics));
+  if (surface.optics) {
+    const SeenFresnel seen(*surface.optics);
+    return fitted_curve(std::cref(seen));
+  }
   return fitted_curve([&](double cosine) {
     Vec3 out{};
     for (std::size_t c = 0; c < 3; ++c) out[c] = f64::fresnel_exact(surface.n[c], surface.k[c], cosine);

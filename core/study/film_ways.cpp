@@ -14,7 +14,6 @@
 #include "core/fresnel/curve.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/seen_stack.h"
-#include "core/material/stack.h"
 
 namespace etak {
 namespace {
@@ -45,9 +44,7 @@ void add_form(FilmWays& out, const FilmInForm& values, const FormName& name) {
 }
 
 FilmWays ways_of(const MaterialLibrary& library, const std::string& text) {
-  const Material material = stack_material(text, [&](std::string_view name, const std::string& place) {
-    return library_part(library, name, place);
-  });
+  const Material material = *library.find(text);
   const Stack& stack = std::get<Stack>(material.preferred_dataset().optics);
   const auto seen = [&](Method sum) -> std::function<Vec3(double)> {
     return [exact = std::make_shared<SeenStack>(stack, F0Options{}, sum)](double cosine) {

@@ -4,15 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
-#include "core/color/colorspace.h"
 #include "core/color/delta_e.h"
 #include "core/fresnel/fresnel.h"
-#include "core/material/seen_stack.h"
-#include "core/render/optics_grid.h"
 #include "core/render/scene.h"
-#include "core/spectrum/integration.h"
 
 namespace etak {
 namespace {
@@ -34,36 +29,6 @@ namespace in_single {
 }  // namespace in_single
 
 constexpr std::array<double, 3> channel_nm{611.4, 549.1, 464.3};
-
-// Turns reflectances on the 1 nm grid into linear sRGB, for one observer and illuminant.
-class Eye {
- public:
-  explicit Eye(Viewing viewing) : quadrature_(make_quadrature(Method::nm1, viewing)) {
-    const Quadrature d65 = make_quadrature(Method::nm1, {viewing.observer, Illuminant::d65});
-    matrix_ = xyz_to_rgb(RgbSpace::srgb, to_xyz(quadrature_.white()), to_xyz(d65.white()));
-  }
-  Vec3 rgb(std::span<const double> reflectance) const { return matrix_ * quadrature_.integrate(reflectance); }
-
- private:
-  Quadrature quadrature_;
-  Mat3 matrix_;
-};
-
-// n and k on the grid, relative to the outside medium.
-GridIndex relative_index(const OpticalConstants& optics, const OutsideMedium& outside,
-                         std::string_view what) {
-  GridIndex index = grid_index(optics, what);
-  GridIndex medium;
-  if (const auto* constants = std::get_if<OpticalConstants>(&outside.index))
-    medium = grid_index(*constants, outside.label);
-  else
-    medium.n.fill(std::get<double>(outside.index));
-  for (std::size_t i = 0; i < grid_size; ++i) {
-    index.n[i] /= medium.n[i];
-    index.k[i] /= medium.n[i];
-  }
-  return index;
-}
 
 // ---- fits: the numbers that a renderer is given for each channel
 
@@ -243,35 +208,9 @@ const FresnelForm* fresnel_form(std::string_view id) {
   return nullptr;
 }
 
-struct SeenFresnel::State {
-  Eye eye;
-  GridIndex index;
-  std::optional<SeenStack> stack;  // in place of the index
-};
-
-SeenFresnel::SeenFresnel(const Optics& optics, std::string_view what, const F0Options& seen)
-    : state_([&] {
-        State state{Eye(seen.viewing), {}, {}};
-        if (const auto* stack = std::get_if<Stack>(&optics))
-          state.stack.emplace(*stack, seen);
-        else
-          state.index = relative_index(std::get<OpticalConstants>(optics), seen.outside, what);
-        return std::make_unique<State>(std::move(state));
-      }()) {}
-SeenFresnel::~SeenFresnel() = default;
-SeenFresnel::SeenFresnel(SeenFresnel&&) noexcept = default;
-
-Vec3 SeenFresnel::operator()(double cosine) const {
-  if (state_->stack) return (*state_->stack)(cosine);
-  std::array<double, grid_size> reflectance{};
-  f64::fresnel_exact(state_->index.n, state_->index.k, cosine, reflectance);
-  return state_->eye.rgb(reflectance);
-}
-
 FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double step_deg,
                            const F0Options& seen_under) {
   const SeenFresnel seen(optics, what, seen_under);
-  const auto& [eye, index, stack] = *seen.state_;
   FresnelTruth truth;
   const auto steps = static_cast<std::size_t>(std::lround(90 / step_deg));
   double sum = 0;
@@ -285,8 +224,9 @@ FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double s
   for (double& weight : truth.weight) weight /= sum;
   truth.f0 = truth.rgb.front();
   truth.f82 = seen(f82_cosine);
-  if (stack) return truth;
-  truth.mean_index = {eye.rgb(index.n), eye.rgb(index.k)};
+  if (!seen.index()) return truth;
+  const GridIndex& index = *seen.index();
+  truth.mean_index = {seen.rgb(index.n), seen.rgb(index.k)};
   for (std::size_t c = 0; c < 3; ++c) {
     const double place = channel_nm[c] - grid_first_nm;
     const auto at = static_cast<std::size_t>(place);

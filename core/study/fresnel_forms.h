@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "core/material/f0.h"
 #include "core/material/material.h"
 #include "core/math/mat3.h"
+#include "core/render/optics_grid.h"
 
 namespace etak {
 
@@ -25,27 +25,6 @@ struct FresnelTruth {
   // Of a stack of layers there are neither of these.
   std::array<Vec3, 2> mean_index{};         // n and k averaged over the spectrum as reflectances are
   std::array<Vec3, 2> three_wavelengths{};  // n and k at 611.4, 549.1 and 464.3 nm, as sRGB's primaries
-};
-
-/// The exact F of n and k or of a stack of layers at any angle, as it is seen.
-class SeenFresnel {
- public:
-  /// Throws Error (naming `what`) as grid_index() does, and as SeenStack does.
-  ///   optics   no reflectance at normal incidence alone
-  ///   seen     observer, illuminant and outside medium are used; space and method are not
-  SeenFresnel(const Optics& optics, std::string_view what, const F0Options& seen = {});
-  ~SeenFresnel();
-  SeenFresnel(SeenFresnel&&) noexcept;
-
-  /// Linear sRGB, unclipped.
-  ///   cosine   of incidence, [0, 1]
-  Vec3 operator()(double cosine) const;
-
- private:
-  friend FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double step_deg,
-                                    const F0Options& seen);
-  struct State;
-  std::unique_ptr<const State> state_;
 };
 
 /// The truth at angles from 0 to 90 degrees in steps of `step_deg`. Throws Error (naming `what`) as

@@ -10,6 +10,7 @@
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/f0.h"
+#include "core/render/optics_grid.h"
 #include "core/render/reference.h"
 #include "core/study/choose/choose_models.h"
 
@@ -69,7 +70,7 @@ ChoosePictures::ChoosePictures(const ChooseSubject& subject)
   const auto light = [&](const Vec3& travels, double irradiance) {
     const Vec3 t = unit(travels), towards{-t[0], -t[1], -t[2]};
     Light out{towards, irradiance, std::sqrt((1 + towards[2]) / 2), {}};
-    if (subject.dataset) out.spectral_f = seen_fresnel(subject.dataset->optics)(out.lh);
+    if (subject.dataset) out.spectral_f = SeenFresnel(subject.dataset->optics)(out.lh);
     lights_.push_back(out);
   };
   // The viewer looks along -z.

@@ -232,7 +232,7 @@ TEST_CASE("a bare metal has a curve too, for who asks for that term") {
   const SurfaceValues surface = film_surface(*gold);
   CHECK_FALSE(surface.curve);
   const FresnelCurve curve = curve_of(surface);
-  const auto exact = seen_fresnel(*surface.optics);
+  const SeenFresnel exact(*surface.optics);
   CHECK(curve.error < 0.01);
   for (std::size_t c = 0; c < 3; ++c) CHECK(curve.at(1)[c] == Approx(exact(1)[c]).margin(1e-4));
 }
