@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/color/srgb.h"
+#include "core/exchange/f0_worker.h"
 #include "core/material/catalogue.h"
 #include "core/material/f0_data.h"
 #include "core/material/find.h"
@@ -51,16 +52,12 @@ std::pair<double, double> range_of(const Dataset& dataset) {
 
 using Layer = std::tuple<std::string, std::string, std::optional<double>, bool>;
 
-std::optional<std::vector<Layer>> layers_of(const Dataset& dataset) {
-  const auto* stack = std::get_if<Stack>(&dataset.optics);
-  if (stack == nullptr || !stack->is_open()) return std::nullopt;
+// None: no stack whose media are known.
+std::optional<std::vector<Layer>> layer_tuples(const Dataset& dataset) {
   std::vector<Layer> out;
-  const auto add = [&](std::size_t medium, std::optional<double> thickness_nm, bool coherent) {
-    out.emplace_back(stack->media[medium].id, stack->media[medium].dataset, thickness_nm, coherent);
-  };
-  for (const StackLayer& each : stack->layers) add(each.medium, each.thickness_nm, each.coherent);
-  add(stack->base, std::nullopt, false);
-  return out;
+  for (const F0Layer& each : layers_of(dataset))
+    out.emplace_back(each.id, each.dataset, each.thickness_nm, each.thickness_nm && each.coherent);
+  return out.empty() ? std::nullopt : std::optional(std::move(out));
 }
 
 const OpticalConstants* constants_in(const DatasetOf& of) {
@@ -327,7 +324,7 @@ void add_numbers(const auto& get) {
   get("stack",
       "Of a stack: its layers from the outside as (id, dataset, thickness in nm, whether it is coherent), and the base, "
       "whose thickness is None; None for all else.",
-      [](const DatasetOf& d) { return layers_of(d.dataset()); });
+      [](const DatasetOf& d) { return layer_tuples(d.dataset()); });
   get("wavelength", "Where n or the reflectance was measured, in nm; None for a formula or a stack.",
       [](const DatasetOf& d) {
         const Spectrum* const table = table_of(d.dataset());

@@ -29,6 +29,15 @@ F0Result refused(std::string reason, Flags flags = {}) {
   return out;
 }
 
+// What the user says of a bare table or page.
+void state_row(const F0Job& job, F0Row& row) {
+  row.material_class = job.tables.material_class;
+  if (job.tables.origin) row.kind = kind_of(*job.tables.origin);
+  if (!gives_f0(row.material_class)) drop_zone(row.result);
+}
+
+}  // namespace
+
 std::vector<F0Layer> layers_of(const Dataset& dataset) {
   std::vector<F0Layer> out;
   const auto* stack = std::get_if<Stack>(&dataset.optics);
@@ -41,15 +50,6 @@ std::vector<F0Layer> layers_of(const Dataset& dataset) {
   out.push_back({base.id, base.dataset, {}, true});
   return out;
 }
-
-// What the user says of a bare table or page.
-void state_row(const F0Job& job, F0Row& row) {
-  row.material_class = job.tables.material_class;
-  if (job.tables.origin) row.kind = kind_of(*job.tables.origin);
-  if (!gives_f0(row.material_class)) drop_zone(row.result);
-}
-
-}  // namespace
 
 void set_record(F0Row& row, const Material& material, const Dataset& dataset) {
   row.name = material.name;

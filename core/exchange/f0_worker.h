@@ -47,6 +47,9 @@ struct F0Outcome {
       material;  // where the job asks for it; none of a page that gives no n and is refused
 };
 
+/// The layers of a stack and its base; none of other data, and of a stack whose media are not looked up.
+std::vector<F0Layer> layers_of(const Dataset& dataset);
+
 /// What a row says of its dataset, besides the result and what it is called by.
 void set_record(F0Row& row, const Material& material, const Dataset& dataset);
 

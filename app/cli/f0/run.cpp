@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 
-#include "app/cli/f0/sweep.h"
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
@@ -19,7 +18,6 @@
 #include "core/base/stopwatch.h"
 #include "core/base/system.h"
 #include "core/certainty/publications.h"
-#include "core/exchange/f0_worker.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
 

@@ -6,6 +6,7 @@
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
+#include "core/exchange/f0_worker.h"
 
 namespace etak::cli {
 
@@ -30,5 +31,8 @@ struct F0Arguments {
 
 /// Does the work of the verb. Returns the exit status; throws Error.
 int answer_f0(F0Arguments& arguments);
+
+/// The rows or the strip of --sweep for the one stack that is named, likewise.
+int answer_film_sweep(F0Arguments& arguments, const F0Job& job);
 
 }  // namespace etak::cli

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/f0/sweep.h"
-
 #include <algorithm>
 
+#include "app/cli/f0/run.h"
 #include "core/base/error.h"
 #include "core/material/names.h"
 #include "core/pages/f0/film.h"

@@ -10,7 +10,6 @@
 #include "app/editor/curves/line_plot_widget.h"
 #include "app/editor/fields/add_button.h"
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
@@ -100,14 +99,13 @@ LayersSection::LayersSection(Document& document, QWidget* parent)
       tr("The material under the layers: an id of the library, ID/DATASET for one dataset"));
   connect(base_, &QLineEdit::editingFinished, this, [this] {
     const std::string wanted = base_->text().trimmed().toStdString();
-    if (wanted != stack_.base)
-      edit(tr("base of the layers"), next_press_id(), [&](StackText& stack) { stack.base = wanted; });
+    if (wanted != stack_.base) edit(tr("base of the layers"), [&](StackText& stack) { stack.base = wanted; });
   });
   QHBoxLayout& line = add_line(tr("Add a layer"));
   connect(add_button(line, tr("Add a layer"), tr("A layer of silica, 100 nm, on top of the others"),
                      tr("Add a layer on top")),
           &QToolButton::clicked, this, [this] {
-            edit(tr("add a layer"), next_press_id(), [](StackText& stack) {
+            edit(tr("add a layer"), [](StackText& stack) {
               StackText::Layer layer;
               layer.name = "fused_silica";
               set_thickness(layer, 100);
@@ -122,7 +120,7 @@ LayersSection::LayersSection(Document& document, QWidget* parent)
   add(plots_);
 }
 
-void LayersSection::edit(const QString& what, int press_id, const Change& change) {
+void LayersSection::edit(const QString& what, const Change& change, int press_id) {
   const ProjectMaterial* now = document_.material();
   if (now == nullptr || !now->measured || !isEnabled()) return;
   StackText text = stack_;
@@ -155,18 +153,13 @@ LayersSection::Row LayersSection::row_of(std::size_t layer) {
   connect(row.medium, &QLineEdit::editingFinished, this, [this, layer, medium = row.medium] {
     const std::string wanted = medium->text().trimmed().toStdString();
     if (layer < stack_.layers.size() && wanted != stack_.layers[layer].name)
-      edit(tr("medium of a layer"), next_press_id(),
-           [&](StackText& stack) { stack.layers[layer].name = wanted; });
+      edit(tr("medium of a layer"), [&](StackText& stack) { stack.layers[layer].name = wanted; });
   });
   const auto button = [&](const QString& text, const QString& name, const QString& what, bool on,
                           const Change& change) {
-    auto* made = new QToolButton(row.box);
-    made->setText(text);
-    made->setToolTip(name);
-    made->setAccessibleName(tr("Layer %1: %2").arg(number, name));
+    auto* made = add_button(*line, text, name, tr("Layer %1: %2").arg(number, name));
     made->setEnabled(on);
-    line->addWidget(made);
-    connect(made, &QToolButton::clicked, this, [this, what, change] { edit(what, next_press_id(), change); });
+    connect(made, &QToolButton::clicked, this, [this, what, change] { edit(what, change); });
   };
   const auto swap_with = [layer](std::size_t other) {
     return [=](StackText& stack) { std::swap(stack.layers[layer], stack.layers[other]); };
@@ -186,8 +179,8 @@ LayersSection::Row LayersSection::row_of(std::size_t layer) {
   column->addWidget(row.strip);
   column->addWidget(row.thickness);
   connect(row.thickness, &NumberField::edited, this, [this, layer](double nm, int press) {
-    edit(tr("thickness of a layer"), press,
-         [&](StackText& stack) { set_thickness(stack.layers[layer], nm); });
+    edit(
+        tr("thickness of a layer"), [&](StackText& stack) { set_thickness(stack.layers[layer], nm); }, press);
   });
   return row;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/editor/document/document.h"
+#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/sections.h"
 #include "app/viewport/background.h"
 #include "core/material/stack_text.h"
@@ -57,7 +58,7 @@ class LayersSection : public Section {
   };
   using Change = std::function<void(StackText&)>;
 
-  void edit(const QString& what, int press_id, const Change& change);
+  void edit(const QString& what, const Change& change, int press_id = next_press_id());
   void rebuild();
   Row row_of(std::size_t layer);
 

@@ -77,7 +77,7 @@ std::string film_csv(const FilmSweep& sweep, std::span<const F0Row> rows) {
   std::string out = "thickness_nm," + f0_csv_header();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     append(out, number(sweep.thickness_nm[i], 9), ',');
-    append_f0_csv(out, rows[i].path, rows[i].result, rows[i].kind);
+    append_f0_csv(out, rows[i]);
   }
   return out;
 }

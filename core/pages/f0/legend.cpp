@@ -28,44 +28,38 @@ void append_meanings(std::string& out, std::span<const F0Row> rows, std::size_t 
 constexpr std::string_view band_text =
     "dE 90 %: nine of ten new publications of the material would have an F0 within this CIEDE2000 of the one in the table.";
 
-// What is known of each clear body.
-void append_bodies(std::string& out, std::span<const F0Row> rows, std::size_t line_width) {
+// A line for each row that has something to tell, and `head` before the first one.
+//   told   what stands behind the path of a row; empty: nothing
+void append_lines(std::string& out, std::span<const F0Row> rows, std::size_t line_width,
+                  std::string_view head, std::string (*told)(const F0Row& row)) {
   bool any = false;
   for (const F0Row& row : rows) {
-    if (!row.clear) continue;
-    if (!any) out += '\n';
+    const std::string line = told(row);
+    if (line.empty()) continue;
+    if (!any) append(out, '\n', head);
     any = true;
-    out += wrapped(line_text(row.path) + ", a clear body: " + clear_body_text(*row.clear), 0, line_width);
+    out += wrapped(line_text(row.path) + line, 0, line_width);
   }
 }
 
-// How far new publications would lie from each F0.
-void append_bands(std::string& out, std::span<const F0Row> rows, std::size_t line_width) {
-  bool any = false;
-  for (const F0Row& row : rows) {
-    if (!row.band) continue;
-    if (!any) append(out, '\n', wrapped(band_text, 0, line_width));
-    any = true;
-    out += wrapped(line_text(row.path) + ": " + words(*row.band), 0, line_width);
-  }
+std::string told_body(const F0Row& row) {
+  return row.clear ? ", a clear body: " + clear_body_text(*row.clear) : "";
 }
 
-// What each material reflects on average.
-void append_means(std::string& out, std::span<const F0Row> rows, std::size_t line_width) {
+// How far new publications would lie from F0.
+std::string told_band(const F0Row& row) {
+  return row.band ? ": " + words(*row.band) : "";
+}
+
+// What the material reflects on average.
+std::string told_mean(const F0Row& row) {
+  if (!row.result.mean) return {};
   const auto text = [](const LinearRgb& c) {
     return joined(vec(c), " ", [](double value) { return fixed(value, 4); });
   };
-  bool any = false;
-  for (const F0Row& row : rows) {
-    const F0Result& r = row.result;
-    if (!r.mean) continue;
-    if (!any) out += '\n';
-    any = true;
-    std::string line = line_text(row.path) + ", mean F over a diffuse hemisphere: " + text(*r.mean);
-    if (const auto closed = mean_of_f82(r))
-      line += "; of F82's curve through F0 and F82, in closed form: " + text(*closed);
-    out += wrapped(line, 0, line_width);
-  }
+  const std::string line = ", mean F over a diffuse hemisphere: " + text(*row.result.mean);
+  const auto closed = mean_of_f82(row.result);
+  return closed ? line + "; of F82's curve through F0 and F82, in closed form: " + text(*closed) : line;
 }
 
 constexpr std::string_view coat_text =
@@ -76,9 +70,9 @@ constexpr std::string_view coat_text =
 std::string f0_legend(std::span<const F0Row> rows, const F0Options& options, std::size_t line_width) {
   std::string out;
   append_meanings(out, rows, line_width);
-  append_bodies(out, rows, line_width);
-  append_means(out, rows, line_width);
-  append_bands(out, rows, line_width);
+  append_lines(out, rows, line_width, "", told_body);
+  append_lines(out, rows, line_width, "", told_mean);
+  append_lines(out, rows, line_width, wrapped(band_text, 0, line_width), told_band);
   if (std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return row.coat.has_value(); }))
     append(out, '\n', wrapped(coat_text, 0, line_width));
   if (!rows.empty()) out += '\n';

@@ -43,9 +43,7 @@ struct F0CsvColumns {
   bool coat = false, band = false;
 };
 std::string f0_csv_header(F0CsvColumns more = {});
-void append_f0_csv(std::string& out, std::string_view path, const F0Result& result,
-                   std::string_view kind = {});
-void append_f0_csv(std::string& out, const F0Row& row, F0CsvColumns more);
+void append_f0_csv(std::string& out, const F0Row& row, F0CsvColumns more = {});
 
 /// The flags field of the CSV, also used by the table.
 std::string flags_text(const F0Result& result);

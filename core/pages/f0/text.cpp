@@ -233,13 +233,14 @@ void append_numbers(std::string& out, const std::optional<LinearRgb>& color) {
   }
 }
 
-// All fields but those of a coat.
-void append_fields(std::string& out, std::string_view path, const F0Result& result, std::string_view kind) {
-  append_csv_field(out, path);
+// All fields but those of a coat and a band.
+void append_fields(std::string& out, const F0Row& row) {
+  const F0Result& result = row.result;
+  append_csv_field(out, row.path);
   if (result.refused()) {
     out += ",,,,,,,,,,,,,";
     append_csv_field(out, flags_text(result));
-    append(out, ',', kind);
+    append(out, ',', row.kind);
     return;
   }
   const auto add = [&](double value) {
@@ -256,18 +257,13 @@ void append_fields(std::string& out, std::string_view path, const F0Result& resu
   append_numbers(out, result.f82);
   append(out, ',', result.zone ? name(*result.zone) : "", ',');
   if (!result.flags.none()) append_csv_field(out, flags_text(result));
-  append(out, ',', kind);
+  append(out, ',', row.kind);
 }
 
 }  // namespace
 
-void append_f0_csv(std::string& out, std::string_view path, const F0Result& result, std::string_view kind) {
-  append_fields(out, path, result, kind);
-  out += '\n';
-}
-
 void append_f0_csv(std::string& out, const F0Row& row, F0CsvColumns more) {
-  append_fields(out, row.path, row.result, row.kind);
+  append_fields(out, row);
   if (more.coat && !row.coat) out.append(16, ',');
   if (more.coat && row.coat) {
     out += ',';

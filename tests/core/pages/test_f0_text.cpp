@@ -23,9 +23,13 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
   }
 }
 
-std::string csv_row(const F0Result& result, std::string_view path = "p") {
+std::string csv_row(const F0Result& result, std::string path = "p", std::string kind = {}) {
+  F0Row row;
+  row.path = std::move(path);
+  row.result = result;
+  row.kind = std::move(kind);
   std::string out;
-  append_f0_csv(out, path, result);
+  append_f0_csv(out, row);
   return out;
 }
 
@@ -59,12 +63,8 @@ TEST_CASE("reflectance data leave the F82 columns of the CSV empty") {
 }
 
 TEST_CASE("CSV and table tell the kind of a dataset where it is known") {
-  std::string csv;
-  append_f0_csv(csv, "p", result_of({0.5, 0.5, 0.5}), "computed");
-  CHECK(contains(csv, ",above,,computed\n"));
-  csv.clear();
-  append_f0_csv(csv, "p", refused_result("no n given"), "fit");
-  CHECK(contains(csv, "refused: no n given,fit\n"));
+  CHECK(contains(csv_row(result_of({0.5, 0.5, 0.5}), "p", "computed"), ",above,,computed\n"));
+  CHECK(contains(csv_row(refused_result("no n given"), "p", "fit"), "refused: no n given,fit\n"));
   auto rows = sample_rows();
   CHECK_FALSE(contains(f0_table(rows, {}, false), "kind"));
   rows[1].kind = "fit";
