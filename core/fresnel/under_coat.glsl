@@ -105,11 +105,3 @@ real f82_under(real f0_value, real f82, real n) {
   EdgeIndex index = index_of_edge(f0_value, f82);
   return fresnel_exact(index.n / n, index.k / n, f82_cosine);
 }
-
-vec3 f0_under(vec3 f0_value, vec3 f82, real n) {
-  return vec3(f0_under(f0_value.x, f82.x, n), f0_under(f0_value.y, f82.y, n), f0_under(f0_value.z, f82.z, n));
-}
-
-vec3 f82_under(vec3 f0_value, vec3 f82, real n) {
-  return vec3(f82_under(f0_value.x, f82.x, n), f82_under(f0_value.y, f82.y, n), f82_under(f0_value.z, f82.z, n));
-}
