@@ -200,11 +200,6 @@ CheckTarget target_of_numbers(const LayoutFacts& facts, const std::string& label
 
 using RowsByName = std::map<std::string_view, const AtlasMaterialRow*>;
 
-// Takes another material into a tile of the same texels. Layers explain the tile only if those of all its materials do.
-void share_layers(const std::string& layers, CheckTile& tile) {
-  if (layers.empty()) tile.layers.clear();
-}
-
 // The materials whose parts lie apart, each a target of the page's files. Those that read the same are one.
 void add_materials_apart(const LayoutFacts& facts, const RowsByName& rows, const std::string& label,
                          std::vector<CheckTarget>& to) {
@@ -219,7 +214,9 @@ void add_materials_apart(const LayoutFacts& facts, const RowsByName& rows, const
     std::vector<AtlasRect> nameless = rects;
     for (AtlasRect& rect : nameless) rect.name.clear();
     if (const auto same = std::ranges::find(known, nameless); same != known.end()) {
-      share_layers(layers, to[first + static_cast<std::size_t>(same - known.begin())].manifest.tiles[0]);
+      // Layers explain a tile only if those of all its materials do.
+      CheckTarget& shared = to[first + static_cast<std::size_t>(same - known.begin())];
+      if (layers.empty()) shared.manifest.tiles[0].layers.clear();
       continue;
     }
     known.push_back(std::move(nameless));
@@ -266,7 +263,7 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
     const auto [known, fresh] =
         seen.try_emplace({tile.page, box.x, box.y, box.width, box.height}, tiles.size());
     if (!fresh) {
-      share_layers(tile.layers, tiles[known->second]);
+      if (tile.layers.empty()) tiles[known->second].layers.clear();
       continue;
     }
     if (row != by_name.end())
