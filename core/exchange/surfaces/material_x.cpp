@@ -144,6 +144,9 @@ class Document {
     if (!folder_) fail(at, "an included document, " + in_quotes(href, 80), "a file, whose folder holds it");
     if (std::ranges::count(open_, name) > 0)
       fail(at, in_quotes(name, 80) + " includes itself, or through others", "documents without a circle");
+    if (static_cast<int>(open_.size()) > most_depth)
+      fail(at, "documents that include each other to a depth of " + std::to_string(open_.size()),
+           "at most 64");
     if (!included_.insert(name).second) return;
     const std::string text = folder_(name);
     bytes_ += text.size();

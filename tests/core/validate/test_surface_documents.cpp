@@ -340,6 +340,10 @@ TEST_CASE("included documents are judged with their names and lines, each once")
                  "c.mtlx:2: \"a.mtlx\" includes itself"));
   CHECK(contains(refusal(in_material_x("<xi:include href=\"c.mtlx\"/>")), "includes itself"));
   CHECK(contains(refusal(in_material_x("<xi:include href=\"nothing.mtlx\"/>")), "nothing.mtlx"));
+  for (int i = 1; i <= 70; ++i)
+    spit(folder.file("deep" + std::to_string(i) + ".mtlx"),
+         in_material_x("<xi:include href=\"deep" + std::to_string(i + 1) + ".mtlx\"/>"));
+  CHECK(contains(refusal(in_material_x("<xi:include href=\"deep1.mtlx\"/>")), "to a depth of 65"));
   CHECK(contains(refusal(in_material_x("<xi:include href=\"../x.mtlx\"/>")),
                  "outside of the document's folder"));
   CHECK(
