@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_text.h"
 #include "core/exchange/engine_values.h"
 
 namespace etak {
+
+struct JsonMember;
 
 /// The targets with these ids, all where there are none. Throws Error (naming the setting "target").
 std::vector<const EngineTarget*> engine_targets_named(const std::vector<std::string>& ids);
