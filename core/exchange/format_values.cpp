@@ -120,7 +120,7 @@ GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness,
   if (s.coat && specular_glossiness) return gltf_values(as_whole(s), true, fit, changes);
   if (s.coat) {
     note_fixed_coat(*s.coat, changes);
-    GltfMaterialValues out = gltf_values(as_whole(s), false, fit, changes);
+    GltfMaterialValues out = gltf_values(under_coat(s, {}), false, fit, changes);
     out.clearcoat = 1;
     return out;
   }

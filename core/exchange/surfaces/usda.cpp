@@ -188,7 +188,7 @@ class Layer {
       if (token.kind == Token::Kind::word && tokens_.now().is("=")) key = token.text;
       if (token.kind == Token::Kind::asset && (key == "subLayers" || key == "references" || key == "payload"))
         throw Error::at_line(file_, token.line, "another layer, " + in_quotes(token.text, 80),
-                             "a layer that stands alone, as usdcat --flatten writes it");
+                             "a layer that stands alone, as usdcat writes it when it flattens");
       if (token.kind != Token::Kind::mark) continue;
       constexpr std::string_view opens = "([{", closes = ")]}";
       if (const std::size_t at = opens.find(token.text); at != opens.npos) open += closes[at];
