@@ -15,7 +15,8 @@ namespace etak {
 /// second mount of a folder hides one of them from an output that would take its place.
 class ReadPlaces {
  public:
-  /// The files, or with the folders above them, of which many take a search of every folder on the way.
+  /// Whether the folders above the files are held as well, each of which is looked up. An output that is one file
+  /// can take the place of a file alone.
   enum class Of { files_alone, folders_too };
 
   explicit ReadPlaces(std::span<const std::string> paths = {}, Of of = Of::folders_too) {

@@ -319,8 +319,8 @@ class Document {
   const DocumentFolder& folder_;
   std::list<Source> sources_;
   std::vector<pugi::xml_node> roots_;  // of the sources
-  std::vector<std::string>
-      open_;  // names of the sources that are being read, each included by the one before
+  // Names of the sources that are being read, each included by the one before.
+  std::vector<std::string> open_;
   std::set<std::string> included_;
   std::size_t bytes_ = 0;  // of included documents
   std::set<std::string, std::less<>> own_kinds_;

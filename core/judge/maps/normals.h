@@ -60,8 +60,8 @@ bool is_constant(const NormalFacts& facts);
 
 /// Whether flat areas have code 127 in some places and 128 in others, on one axis: each on at least a
 /// hundredth of the flat texels, and these on a tenth of the map. The two differ by 0.45 degrees, which shows
-/// as an edge in mirrors. A gentle relief runs through both codes and those beside them, and has no flat areas:
-/// half as many texels are nearly flat.
+/// as an edge in mirrors. A gentle relief is no such map: it runs through the codes beside these two as well, so that
+/// more than half as many texels are nearly flat.
 bool is_flat_in_two_codes(const NormalFacts& facts);
 
 }  // namespace etak
