@@ -81,10 +81,11 @@ std::string identify(const std::vector<py::object>& colors, const py::dict& give
     const auto* const values = std::get_if<LinearRgb>(&typed);
     return AskedColour{values ? *values : srgb_decode(std::get<Srgb8>(typed)), {}, values == nullptr};
   };
+  const bool has_f82 = !how.at("f82").is_none();
   std::vector<std::pair<std::string, AskedColour>> questions;
   for (const py::object& each : colors) {
     auto& [text, asked] = questions.emplace_back(py::str(each).cast<std::string>(), asked_of(each));
-    if (!how.at("f82").is_none()) asked.f82 = asked_of(how.at("f82")).f0;
+    if (has_f82) asked.f82 = asked_of(how.at("f82")).f0;
     check_asked(asked, printable(text));
   }
   const std::string film = how.text("film"), measured = how.text("measured"), stack = how.text("stack"),
@@ -93,7 +94,7 @@ std::string identify(const std::vector<py::object>& colors, const py::dict& give
                                  oxides = how.texts("oxide");
   LongWork work;
   return work.unlocked([&] {
-    const F0Solver solver{F0Options{}};
+    const F0Solver solver{has_f82 ? F0Options{} : without_f82()};
     const MaterialLibrary& known = library.get();
     if (!measured.empty()) return identify_json(identified_thickness(measured, stack, known, solver));
     if (!film.empty()) {

@@ -24,6 +24,17 @@ constexpr double least_scale = 0.05, eight_bit_scale = 0.3;
 constexpr double listed_probability = 0.9;
 constexpr std::size_t least_listed = 3;
 
+// None of a material without a band.
+std::optional<Hypothesis> hypothesis(const Material& material, const F0Solver& solver) {
+  const Dataset& stated = material.preferred_dataset();
+  if (!why_no_band(material, stated).empty()) return std::nullopt;
+  const F0Result f0 = solver.solve(stated.optics);
+  const MaterialBand found = material_band(solver, material, stated, f0);
+  if (!found.band) return std::nullopt;
+  return Hypothesis{material.id, material.name, material.material_class, f0.srgb_linear, f0.srgb8,
+                    f0.f82,      *found.band};
+}
+
 double square(double x) {
   return x * x;
 }
@@ -110,13 +121,9 @@ std::vector<BandOfF0> bands_of(std::span<const NearMaterial> found, const F0Solv
   return out;
 }
 
-std::optional<Identifier::Hypothesis> Identifier::hypothesis(Material material, const F0Solver& solver) {
-  const Dataset& stated = material.preferred_dataset();
-  F0Result f0 = solver.solve(stated.optics);
-  const MaterialBand found = material_band(solver, material, stated, f0);
-  if (!found.band) return std::nullopt;
-  const std::optional<LinearRgb> f82 = f0.f82;
-  return Hypothesis{{std::move(material), std::move(f0)}, *found.band, f82};
+F0Options without_f82(F0Options options) {
+  options.f82 = false;
+  return options;
 }
 
 Identifier::Identifier(const MaterialLibrary& library, const F0Solver& solver,
@@ -126,10 +133,10 @@ Identifier::Identifier(const MaterialLibrary& library, const F0Solver& solver,
   std::vector<std::optional<Hypothesis>> found(count);
   parallel_chunks(count, threads, 8, [&](std::size_t first, std::size_t last, unsigned) {
     for (std::size_t i = first; i < last; ++i) {
-      Material material = library.at(i);
-      const std::string& its_class = material.material_class;
-      if (gives_f0(its_class) && (classes.empty() || std::ranges::find(classes, its_class) != classes.end()))
-        found[i] = hypothesis(std::move(material), solver);
+      // Stacks have no band, so that none needs to be opened.
+      const Material material = library.as_filed(i);
+      if (classes.empty() || std::ranges::find(classes, material.material_class) != classes.end())
+        found[i] = hypothesis(material, solver);
     }
   });
   for (std::optional<Hypothesis>& each : found)
@@ -137,9 +144,9 @@ Identifier::Identifier(const MaterialLibrary& library, const F0Solver& solver,
 }
 
 void Identifier::replace(std::string_view id, std::optional<Material> material, const F0Solver& solver) {
-  std::erase_if(hypotheses_, [&](const Hypothesis& each) { return each.entry.material.id == id; });
+  std::erase_if(hypotheses_, [&](const Hypothesis& each) { return each.id == id; });
   if (!material) return;
-  if (auto made = hypothesis(std::move(*material), solver)) hypotheses_.push_back(std::move(*made));
+  if (auto made = hypothesis(*material, solver)) hypotheses_.push_back(std::move(*made));
 }
 
 Identified Identifier::identify(const AskedColour& asked, const Prior& prior) const {
@@ -152,9 +159,9 @@ Identified Identifier::identify(const AskedColour& asked, const Prior& prior) co
   double largest = -std::numeric_limits<double>::infinity();
   bool inside = false;
   for (const Hypothesis& each : hypotheses_) {
-    const double delta_e = distance(asked.f0, each.entry.result.srgb_linear);
-    inside = inside || lies_inside(each.band, each.entry.result.srgb_linear, asked.f0);
-    const auto weight = prior.find(each.entry.material.id);
+    const double delta_e = distance(asked.f0, each.f0);
+    inside = inside || lies_inside(each.band, each.f0, asked.f0);
+    const auto weight = prior.find(each.id);
     if (weight != prior.end() && weight->second == 0) continue;
     double squares = square(delta_e);
     const bool second = asked.f82 && each.f82;
@@ -173,22 +180,20 @@ Identified Identifier::identify(const AskedColour& asked, const Prior& prior) co
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Weighed& a, const Weighed& b) { return a.weight > b.weight; });
-  std::vector<const Hypothesis*> listed;
+  std::vector<BandOfF0> listed;
   double held = 0;
   for (const Weighed& each : all) {
     if (held >= listed_probability && listed.size() >= least_listed) break;
     const double p = each.weight / sum;
     held += p;
-    listed.push_back(each.hypothesis);
-    out.candidates.push_back(
-        {&each.hypothesis->entry, p, each.delta_e, each.delta_e / each.hypothesis->band.de90});
+    const Hypothesis& entry = *each.hypothesis;
+    listed.push_back({entry.f0, entry.band});
+    out.candidates.push_back({&entry, p, each.delta_e, each.delta_e / entry.band.de90});
   }
   out.verdict = !inside || all.empty()                         ? ColourVerdict::none
                 : out.candidates.front().p >= sure_probability ? ColourVerdict::sure
                                                                : ColourVerdict::ambiguous;
-  std::vector<BandOfF0> stated;
-  for (const Hypothesis* each : listed) stated.push_back({each->entry.result.srgb_linear, each->band});
-  out.groups = not_told_apart(stated);
+  out.groups = not_told_apart(listed);
   return out;
 }
 

@@ -32,12 +32,21 @@ struct AskedColour {
   bool eight_bit = false;
 };
 
-/// A material that the colour could be.
+/// A material that a colour could be, as the library states it.
+struct Hypothesis {
+  std::string id, name, material_class;
+  LinearRgb f0;
+  Srgb8 codes;
+  std::optional<LinearRgb> f82;
+  Band band;
+};
+
+/// A hypothesis beside a colour.
 ///   p            probability among the materials of the library
 ///   delta_e      CIEDE2000 between the colour and its F0
 ///   band_share   delta_e over the band's nine-tenths radius
 struct PossibleMaterial {
-  const CatalogueEntry* entry = nullptr;
+  const Hypothesis* entry = nullptr;
   double p = 0, delta_e = 0, band_share = 0;
 };
 
@@ -78,6 +87,9 @@ std::vector<std::vector<std::size_t>> not_told_apart(std::span<const BandOfF0> a
 std::vector<BandOfF0> bands_of(std::span<const NearMaterial> found, const F0Solver& solver,
                                bool axis_average = false);
 
+/// The options by which hypotheses for colours without F82 are computed: F82 of them all is a quarter of the work.
+F0Options without_f82(F0Options options = {});
+
 /// The materials with bands of a library, as hypotheses. Built once, const and shared between threads in use.
 class Identifier {
  public:
@@ -92,13 +104,6 @@ class Identifier {
   void replace(std::string_view id, std::optional<Material> material, const F0Solver& solver);
 
  private:
-  struct Hypothesis {
-    CatalogueEntry entry;
-    Band band;
-    std::optional<LinearRgb> f82;
-  };
-  // None of a material without a band.
-  static std::optional<Hypothesis> hypothesis(Material material, const F0Solver& solver);
   std::vector<Hypothesis> hypotheses_;
 };
 

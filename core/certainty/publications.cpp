@@ -39,9 +39,9 @@ std::string why_no_witness(const Material& material, const Dataset& dataset, con
   return {};
 }
 
-// Why F0 of a dataset has no band; empty: it has.
-std::string why_no_band(const Material& material, const Dataset& dataset, const F0Result& stated) {
-  if (stated.refused()) return "refused";
+}  // namespace
+
+std::string why_no_band(const Material& material, const Dataset& dataset) {
   if (!gives_f0(material.material_class))
     return "a surface: things of one name differ more than measurements of one thing";
   if (std::holds_alternative<Stack>(dataset.optics)) return "a stack: its layers have their own";
@@ -49,8 +49,6 @@ std::string why_no_band(const Material& material, const Dataset& dataset, const 
   if (!dataset.doubtful.empty()) return "doubtful: " + dataset.doubtful;
   return {};
 }
-
-}  // namespace
 
 std::vector<Publication> publications_beside(const Material& material, const Dataset& stated) {
   std::vector<Publication> out;
@@ -139,7 +137,7 @@ MaterialBand material_band(const F0Solver& solver, const Material& material, con
 MaterialBand material_band(const std::function<F0Result(const Dataset&)>& f0_of, const Material& material,
                            const Dataset& dataset, const F0Result& stated) {
   MaterialBand out;
-  out.reason = why_no_band(material, dataset, stated);
+  out.reason = stated.refused() ? "refused" : why_no_band(material, dataset);
   if (!out.reason.empty()) return out;
   const BandClass kind = band_class(material, stated);
   if (dataset.origin == Origin::computed) {

@@ -36,6 +36,9 @@ struct MaterialBand {
   std::vector<Publication> publications;  // beside the stated one
 };
 
+/// Why F0 of a dataset of the material has no band, whatever it is; empty: it has one.
+std::string why_no_band(const Material& material, const Dataset& dataset);
+
 /// Of a dataset of the material. Surfaces, stacks, gases, doubtful and refused datasets have no band.
 ///   solver   computes the other publications, as `stated` was
 ///   stated   F0 of `dataset` by `solver`

@@ -190,14 +190,15 @@ std::string KnownMaterials::could_be(const std::array<double, 3>& linear, bool m
   AskedColour asked{{linear[0], linear[1], linear[2]}, {}, true};
   for (const double channel : linear)
     if (!(channel >= 0 && channel <= largest_asked)) return {};
-  identifies_.call([this] { identifier_.emplace(library_, usual_solver(), std::vector<std::string>{}, 1); });
+  identifies_.call(
+      [this] { identifier_.emplace(library_, F0Solver(without_f82()), std::vector<std::string>{}, 1); });
   const Identified answer = identifier_->identify(asked);
   if (answer.verdict == ColourVerdict::none) return {};
   std::vector<std::string> names;
   for (const PossibleMaterial& each : answer.candidates)
     if (each.p >= least_told && names.size() < most_told &&
-        !(metals && optical_kind(each.entry->material.material_class) != "conductor"))
-      names.push_back(each.entry->material.id + " (p " + fixed(each.p, 2) + ")");
+        !(metals && optical_kind(each.entry->material_class) != "conductor"))
+      names.push_back(each.entry->id + " (p " + fixed(each.p, 2) + ")");
   return names.empty() ? "" : "could be " + joined(names, " or ");
 }
 

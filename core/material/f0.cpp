@@ -118,13 +118,13 @@ std::vector<double> all_knots(const F0Options& options, std::vector<double> knot
 }
 
 // Estimated errors of the steps of `refinement`; empty where the data have no reflectance.
-//   reflect   gives it at the wavelengths of a quadrature
+//   reflect   gives it at the wavelengths of a quadrature, and F82 and the mean only where it is told to
 template <class Reflect>
 std::vector<double> estimate(const Refinement& refinement, std::span<const double> knots,
                              const Reflect& reflect) {
   Quadrature places;
   places.wavelength_nm = Refinement::places(knots);
-  const std::span<const double> reflectance = reflect(places);
+  const std::span<const double> reflectance = reflect(places, false);
   if (reflectance.empty()) return {};
   return refinement.estimate(places.wavelength_nm, reflectance);
 }
@@ -257,7 +257,7 @@ struct F0Solver::State {
     const Rule rule = rule_for(std::move(knots), spiky, reflect);
     if (result.refused()) return;
     const Quadrature& q = rule.quadrature();
-    const std::span<const double> r0 = reflect(q);
+    const std::span<const double> r0 = reflect(q, true);
     if (r0.empty()) return;
     result.integration = rule.step;
     // The estimate of the exact method needs the reflectance at its own points.
@@ -299,9 +299,10 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   if (result.refused()) return result;
 
   const bool has_angles = !std::holds_alternative<Reflectance>(optics);
-  const bool has_mean = setup.options.mean && has_angles;
-  const auto reflect = [&](const Quadrature& at) -> std::span<const double> {
-    room.resize(at.wavelength_nm.size());
+  const bool has_f82 = has_angles && setup.options.f82 && setup.options.instrument.aperture == 0;
+  const bool has_mean = has_angles && setup.options.mean;
+  const auto reflect = [&](const Quadrature& at, bool angles) -> std::span<const double> {
+    room.resize(at.wavelength_nm.size(), angles && has_f82, angles && has_mean);
     std::string refusal = reflectance_at(setup, optics, at, room, watch, times);
     if (refusal.empty()) return room.r0;
     result.refusal = std::move(refusal);
@@ -310,7 +311,6 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   if (state_->finer_than_grid(optics, reflect)) result.flags.set(Flag::finer_than_grid);
   std::vector<double> knots;
   if (setup.needs_knots() || result.flags.has(Flag::finer_than_grid)) append_knots(optics, knots);
-  const bool has_f82 = has_angles && setup.options.instrument.aperture == 0;
   state_->add_colour(std::move(knots), reflect, has_f82 ? &room.r82 : nullptr,
                      has_mean ? &room.mean : nullptr, result);
   watch.lap(times.sum);
@@ -342,27 +342,27 @@ F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const
   result.flags.clear(Flag::out_of_gamut);
   result.flags.clear(Flag::channel_in_zone);
 
-  F0Spectra room;
+  F0Spectra room, mixed;
   F0Timing ignored;
   Stopwatch watch(false);
-  const auto reflect = [&](const Quadrature& at) -> std::span<const double> {
-    room.resize(at.wavelength_nm.size());
-    std::fill(room.mixed0.begin(), room.mixed0.end(), 0.0);
-    std::fill(room.mixed82.begin(), room.mixed82.end(), 0.0);
-    std::fill(room.mixed_mean.begin(), room.mixed_mean.end(), 0.0);
+  const auto reflect = [&](const Quadrature& at, bool angles) -> std::span<const double> {
+    mixed = {};
+    for (F0Spectra* each : {&room, &mixed})
+      each->resize(at.wavelength_nm.size(), angles && has_f82, angles && has_mean);
+    const auto mix = [](std::vector<double>& to, const std::vector<double>& from, double weight) {
+      for (std::size_t i = 0; i < from.size(); ++i) to[i] += weight * from[i];
+    };
     for (const Part& part : parts) {
       result.refusal = reflectance_at(state_->setup, *part.optics, at, room, watch, ignored);
       if (result.refused()) return {};
-      for (std::size_t i = 0; i < room.r0.size(); ++i) {
-        room.mixed0[i] += part.weight * room.r0[i];
-        room.mixed82[i] += part.weight * room.r82[i];
-        room.mixed_mean[i] += part.weight * room.mean[i];
-      }
+      mix(mixed.r0, room.r0, part.weight);
+      mix(mixed.r82, room.r82, part.weight);
+      mix(mixed.mean, room.mean, part.weight);
     }
-    return room.mixed0;
+    return mixed.r0;
   };
-  state_->add_colour(std::move(knots), reflect, has_f82 ? &room.mixed82 : nullptr,
-                     has_mean ? &room.mixed_mean : nullptr, result);
+  state_->add_colour(std::move(knots), reflect, has_f82 ? &mixed.r82 : nullptr,
+                     has_mean ? &mixed.mean : nullptr, result);
   return result;
 }
 

@@ -60,6 +60,7 @@ struct F0Options {
   OutsideMedium outside;
   Instrument instrument;
   bool allow_extrapolation = false;
+  bool f82 = true;    // fill in F0Result::f82 and f82_tint
   bool mean = false;  // fill in F0Result::mean, which is that of the bare reflectance, without an instrument
   // Keep the tables of a viewing of one's own (core/spectrum/own_viewing.h).
   std::shared_ptr<const Observer> own_observer;

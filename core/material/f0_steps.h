@@ -43,9 +43,11 @@ std::string coverage_refusal(const F0Setup& setup, Range range, const Coverage& 
 
 /// Room for the spectra of one thread: kept between calls, so that a database run allocates once.
 struct F0Spectra {
-  std::vector<double> n, k, r0, r82, mean, mixed0, mixed82, mixed_mean;
-  void resize(std::size_t count) {
-    for (auto* v : {&n, &k, &r0, &r82, &mean, &mixed0, &mixed82, &mixed_mean}) v->resize(count);
+  std::vector<double> n, k, r0, r82, mean;
+  void resize(std::size_t count, bool with_f82 = true, bool with_mean = false) {
+    for (auto* v : {&n, &k, &r0}) v->resize(count);
+    r82.resize(with_f82 ? count : 0);
+    mean.resize(with_mean ? count : 0);
   }
 };
 

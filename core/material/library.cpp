@@ -63,6 +63,8 @@ std::string_view name(NameKind kind) {
 MaterialLibrary MaterialLibrary::builtin() {
   MaterialLibrary library;
   BlobIndex index = decode_index(builtin_blob());
+  library.ids_.reserve(index.materials.size());
+  library.entries_.reserve(index.materials.size());
   for (BlobEntry& e : index.materials) {
     library.ids_.push_back(e.id);
     Entry& entry =
@@ -119,7 +121,7 @@ void MaterialLibrary::add_folder(const std::string& folder, std::vector<std::str
 
 void MaterialLibrary::add(Material material) {
   Entry entry = entry_of(material.id, material.name, material.aliases);
-  entry.material = std::move(material);
+  entry.material = std::make_shared<const Material>(std::move(material));
   insert(std::move(entry));
 }
 

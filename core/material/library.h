@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -96,8 +97,8 @@ class MaterialLibrary {
     std::vector<std::string> aliases;
     std::vector<std::string> keys;      // folded id, name and aliases that are no formulas, in this order
     std::vector<std::string> formulas;  // aliases that are
-    std::size_t blob_offset = 0;        // into the built-in bytes, when material is empty
-    std::optional<Material> material;
+    std::size_t blob_offset = 0;        // into the built-in bytes, when there is no material
+    std::shared_ptr<const Material> material;  // of a folder; apart, since the built-in ones have none
   };
   // A composition of a series; nothing for a text of another form, and of an unknown series.
   std::optional<Material> alloy_of(std::string_view text) const;

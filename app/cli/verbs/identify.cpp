@@ -128,7 +128,9 @@ int identify_thickness(IdentifyArguments& arguments, const F0Solver& solver) {
 }
 
 int run(IdentifyArguments& arguments) {
-  const F0Solver solver{f0_options(arguments.compute, arguments.library)};
+  F0Options options = f0_options(arguments.compute, arguments.library);
+  options.f82 = !arguments.f82.empty();
+  const F0Solver solver{std::move(options)};
   if (!arguments.measured.empty()) return identify_thickness(arguments, solver);
   if (!arguments.stack.empty()) throw Error::at("--stack", "without --measured", "the spectrum of the stack");
   if (arguments.color.empty() && arguments.image.empty())

@@ -224,7 +224,7 @@ void Inspector::ask_what_it_is() {
         out.failure = failure_of([&] {
           const AskedColour asked{f0, {}, srgb_decode(srgb_u8(f0)) == f0};
           check_asked(asked, "F0");
-          out.known = std::make_shared<const Identifier>(*library, F0Solver(F0Options{}),
+          out.known = std::make_shared<const Identifier>(*library, F0Solver(without_f82()),
                                                          std::vector<std::string>{}, 1);
           out.what = out.known->identify(asked);
         });
@@ -255,9 +255,9 @@ void Inspector::show_candidates(const Identified& answer) {
   constexpr std::size_t most_shown = 8;
   for (std::size_t i = 0; i < std::min(most_shown, answer.candidates.size()); ++i) {
     const PossibleMaterial& each = answer.candidates[i];
-    const QString id = qt_text(each.entry->material.id);
+    const QString id = qt_text(each.entry->id);
     QString text = tr("%1   %2 %   \u0394E %3")
-                       .arg(qt_text(each.entry->material.name), qt_text(fixed(100 * each.p, 0)),
+                       .arg(qt_text(each.entry->name), qt_text(fixed(100 * each.p, 0)),
                             qt_text(number(each.delta_e, 2)));
     QAction* use = menu->addAction(text.replace('&', "&&"), this, [this, id] { source_->use(id); });
     use->setEnabled(!preview_);

@@ -27,11 +27,11 @@ std::string json_pair(const std::array<double, 2>& pair) {
 }
 
 const std::string& id_of(const Identified& answer, std::size_t index) {
-  return answer.candidates[index].entry->material.id;
+  return answer.candidates[index].entry->id;
 }
 
 std::string candidate_object(const PossibleMaterial& each) {
-  return json_object({{"id", json(each.entry->material.id)},
+  return json_object({{"id", json(each.entry->id)},
                       {"p", json_number(each.p)},
                       {"delta_e", json_number(each.delta_e)},
                       {"band_share", json_number(each.band_share)}},
@@ -124,11 +124,10 @@ std::string identify_text(std::span<const IdentifiedColor> answers, bool color) 
     double left = 0;
     for (std::size_t i = shown; i < all.size(); ++i) left += all[i].p;
     for (const PossibleMaterial& candidate : std::span(all).first(shown)) {
-      const Material& material = candidate.entry->material;
-      const Srgb8& codes = candidate.entry->result.srgb8;
+      const Hypothesis& known = *candidate.entry;
       rows.push_back({{fixed(candidate.p, 2), fixed(candidate.delta_e, 1), fixed(candidate.band_share, 2),
-                       hex(codes), material.id, material.name, material.material_class},
-                      color ? swatch(codes, 2) + "   " : "  "});
+                       hex(known.codes), known.id, known.name, known.material_class},
+                      color ? swatch(known.codes, 2) + "   " : "  "});
     }
     out += text_table(rows);
     if (all.size() > shown)

@@ -28,7 +28,7 @@ const Identifier& all_hypotheses() {
 
 std::size_t rank_of(const Identified& answer, const std::string& id) {
   std::size_t out = 0;
-  while (out < answer.candidates.size() && answer.candidates[out].entry->material.id != id) ++out;
+  while (out < answer.candidates.size() && answer.candidates[out].entry->id != id) ++out;
   return out;
 }
 
