@@ -7,6 +7,11 @@ vec3 brdf_lambert(Angles a, vec3 cd) {
   return cd * (1 / pi);
 }
 
+// The largest channel.
+real largest_of(vec3 c) {
+  return max(c.x, max(c.y, c.z));
+}
+
 // What F leaves: F0 above 1 (gold) leaves nothing.
 vec3 left_over(vec3 F) {
   return vec3(max(1 - F.x, real(0)), max(1 - F.y, real(0)), max(1 - F.z, real(0)));

@@ -128,6 +128,8 @@ std::string source_of(const Model& model) {
          "; V: " + std::string(model.visibility->source);
 }
 
+constexpr std::string_view engine_prefix = "as-";
+
 class Registry {
  public:
   Registry() {
@@ -143,7 +145,7 @@ class Registry {
       model.files = row.files;
       model.entry = row.entry;
       model.compiled = &compiled_.back();
-      rows_.push_back(model);
+      (row.id.starts_with(engine_prefix) ? engines_ : rows_).push_back(model);
     }
     for (const MicrofacetRow& row : microfacet_rows) {
       ComposedModel& composed = composed_.emplace_back();
@@ -161,7 +163,7 @@ class Registry {
   std::span<const Model> rows() const { return rows_; }
 
   const Model* find(std::string_view id) {
-    for (const Model& each : rows_)
+    for (const Model& each : id.starts_with(engine_prefix) ? engines_ : rows_)
       if (each.id == id) return &each;
     constexpr std::string_view prefix = "microfacet:";
     if (!id.starts_with(prefix)) return nullptr;
@@ -205,7 +207,7 @@ class Registry {
 
   std::deque<Model::Compiled> compiled_;
   std::deque<ComposedModel> composed_;
-  std::vector<Model> rows_;
+  std::vector<Model> rows_, engines_;
   std::mutex composed_lock_;
 };
 

@@ -125,8 +125,8 @@ struct Model {
 std::span<const Model> models();
 
 /// The model with this id; null when there is none. An id "microfacet:D,F,V" gives the model of any three
-/// terms, such as "microfacet:ggx,schlick,smith-ggx-height"; it is made when it is first asked for. Any
-/// thread may call this.
+/// terms, such as "microfacet:ggx,schlick,smith-ggx-height"; it is made when it is first asked for. "as-unreal" and
+/// so on are those of engines (core/render/engines.h), which models() leaves out. Any thread may call this.
 const Model* find_model(std::string_view id);
 
 /// The models that are used when the user names none: Lambert, and Schueler's Optimized with bounded

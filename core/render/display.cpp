@@ -178,6 +178,12 @@ std::optional<Tone> tone_named(std::string_view text) {
   return named_in(tone_names, text);
 }
 
+Vec3 toned(const float* pixel, double exposure, Tone tone) {
+  if (tone == Tone::plain) return {exposure * pixel[0], exposure * pixel[1], exposure * pixel[2]};
+  const f32::vec3 out = f32::toned(tone, pixel, static_cast<float>(exposure));
+  return {double{out.x}, double{out.y}, double{out.z}};
+}
+
 Image exposed(const Image& picture, double exposure) {
   Image out(picture.width, picture.height, 3);
   const auto factor = static_cast<float>(exposure);

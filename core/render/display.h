@@ -17,6 +17,10 @@ std::optional<Transfer> transfer_named(std::string_view text);
 std::string_view name(Tone tone);  // "plain", "neutral", "agx-like", "false-color"
 std::optional<Tone> tone_named(std::string_view text);
 
+/// What a display is to emit of a pixel, linear: the tone curve of exposure x value, not clamped.
+///   pixel   three channels
+Vec3 toned(const float* pixel, double exposure, Tone tone);
+
 /// The 8-bit codes of the first three channels of `picture`: the transfer curve of the tone curve of exposure x
 /// value, clamped to [0, 1] and rounded to nearest. For sRGB without a tone curve they are the codes of
 /// srgb_u8() (core/color/srgb.h). NaN gives code 0.

@@ -9,6 +9,7 @@
 #include "core/base/text/text.h"
 #include "core/color/delta_e.h"
 #include "core/math/mat3.h"
+#include "core/render/display.h"
 #include "core/render/font.h"
 
 namespace etak {
@@ -40,29 +41,27 @@ Vec3 map_color(double de) {
   return out;
 }
 
-Lab displayed_color(const Image& picture, std::size_t pixel, double exposure) {
-  Vec3 linear;
-  for (std::size_t c = 0; c < 3; ++c)
-    linear[c] = std::clamp(
-        exposure *
-            static_cast<double>(picture.values[static_cast<std::size_t>(picture.channels) * pixel + c]),
-        0.0, 1.0);
+Lab displayed_color(const Image& picture, std::size_t pixel, double exposure, Tone tone) {
+  Vec3 linear = toned(&picture.values[static_cast<std::size_t>(picture.channels) * pixel], exposure, tone);
+  for (double& each : linear) each = std::clamp(each, 0.0, 1.0);
   return to_lab(to_rgb(linear));
 }
 
 }  // namespace
 
-DifferencePicture difference_picture(const Image& reference, const Image& picture, double exposure) {
+DifferencePicture difference_picture(const Image& reference, const Image& picture, double exposure,
+                                     Tone tone) {
   assert(reference.width == picture.width && reference.height == picture.height && picture.channels == 4);
-  DifferencePicture out{Image(picture.width, picture.height, 3, paper), 0};
+  DifferencePicture out{Image(picture.width, picture.height, 3, paper)};
   std::size_t judged = 0;
   for (std::size_t i = 0; i < picture.pixel_count(); ++i) {
     if (picture.values[4 * i + 3] < 1) continue;
-    const double de =
-        delta_e2000(displayed_color(reference, i, exposure), displayed_color(picture, i, exposure));
+    const double de = delta_e2000(displayed_color(reference, i, exposure, tone),
+                                  displayed_color(picture, i, exposure, tone));
     const Vec3 color = map_color(de);
     for (std::size_t c = 0; c < 3; ++c) out.map.values[3 * i + c] = static_cast<float>(color[c]);
     out.mean_de += de;
+    out.max_de = std::max(out.max_de, de);
     ++judged;
   }
   if (judged > 0) out.mean_de /= static_cast<double>(judged);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/render/scene.h"
 
 namespace etak {
 
@@ -19,13 +20,15 @@ struct Sheet {
 ///   map       three channels, linear: CIEDE2000 of each pixel, from black (0) over violet and orange to a pale
 ///             yellow (10 and more); grey where the object does not cover the pixel as a whole
 ///   mean_de   over the pixels that the object covers as a whole; 0 where there is none
+///   max_de    the largest of these
 struct DifferencePicture {
   Image map;
-  double mean_de = 0;
+  double mean_de = 0, max_de = 0;
 };
 /// Both pictures in the form of render_cpu() and of the same size; their colours are taken as an sRGB display
-/// shows them: times `exposure`, clamped to [0, 1].
-DifferencePicture difference_picture(const Image& reference, const Image& picture, double exposure);
+/// shows them: times `exposure`, through `tone`, clamped to [0, 1].
+DifferencePicture difference_picture(const Image& reference, const Image& picture, double exposure,
+                                     Tone tone = Tone::plain);
 
 /// `picture` with `map` at its right and the mean difference written into the map.
 Image beside(const Image& picture, const DifferencePicture& difference);

@@ -25,6 +25,7 @@
 #include "core/render/ambient/ambient.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/display.h"
+#include "core/render/engines.h"
 #include "core/render/glsl/gl_runner.h"
 #include "core/render/ground_bounce.h"
 #include "core/render/mesh_view.h"
@@ -44,6 +45,8 @@ struct Stats {
   bool software_gl = false;
   std::optional<double> standard_error, worst_error;
   std::optional<AmbientError> ambient;
+  const Engine* engine = nullptr;
+  double mean_de = 0, max_de = 0;  // of the engine
   double prepare_ms = 0;
 };
 
@@ -202,6 +205,14 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
                                 {"worst", number(stats.ambient->worst, 6)},
                                 {"standard_error", number(stats.ambient->standard_error, 6)}},
                                -1)});
+  if (stats.engine != nullptr) {
+    out.push_back({"as", json_object({{"engine", json(stats.engine->id)},
+                                      {"source", json(stats.engine->source)},
+                                      {"not_drawn", json(stats.engine->not_drawn)}},
+                                     -1)});
+    out.push_back(
+        {"delta_e", json_object({{"mean", number(stats.mean_de, 4)}, {"max", number(stats.max_de, 4)}}, -1)});
+  }
   if (const auto off = scene.specular != nullptr && !scene.lights.environment.empty()
                            ? ambient_accuracy(scene.specular->id, scene.surface.gloss, scene.refined)
                            : std::nullopt)
@@ -237,6 +248,23 @@ void say(const RenderArguments& arguments, const Scene& scene, const Stats& stat
                                 number(100 * stats.ambient->bias, 2) + " %, of the mean luminance");
 }
 
+// Draws the scene as the engine of --as does, where there is one.
+void become_engine(const RenderArguments& arguments, const Environment* light, unsigned threads, Scene& scene,
+                   SceneNotes& notes, Stats& stats) {
+  if (arguments.as.empty()) return;
+  stats.engine = find_engine(arguments.as);
+  const DifferencePicture off = engine_difference(*stats.engine, scene, light, threads);
+  stats.mean_de = off.mean_de;
+  stats.max_de = off.max_de;
+  std::vector<ClampedValue> changed;
+  scene = shown_as(*stats.engine, std::move(scene), changed);
+  for (const ClampedValue& each : changed) notes.remarks.push_back(clamped_remark(each));
+  std::string text = std::string(stats.engine->title) + ": dE2000 to the exact material " +
+                     number(off.mean_de, 3) + " (mean), " + number(off.max_de, 3) + " (largest)";
+  if (!stats.engine->not_drawn.empty()) text += "; not drawn: " + std::string(stats.engine->not_drawn);
+  notes.remarks.push_back(std::move(text));
+}
+
 void check_picture_name(const RenderArguments& arguments) {
   const std::string& path = arguments.picture;
   if (path.empty() && arguments.frames == 1)
@@ -253,6 +281,14 @@ void check_picture_name(const RenderArguments& arguments) {
     if (given && arguments.stats.format == "json")
       throw Error::at("--format", std::string("json with ") + option + ", which is no picture of one subject",
                       "text");
+  for (const auto& [option, given] :
+       {std::pair("--model", !arguments.scene.model.empty()),
+        std::pair("--diffuse-model", !arguments.scene.diffuse_model.empty()),
+        std::pair("--set", !arguments.scene.set.empty()), std::pair("--reference", arguments.reference),
+        std::pair("--sheet", arguments.sheet)})
+    if (given && !arguments.as.empty())
+      throw Error::at("--as", std::string("beside ") + option + ", which chooses another model",
+                      "one of them");
   if (!arguments.sweep.empty() && (arguments.sheet || arguments.frames > 1 || path.empty()))
     throw Error::at("--sweep", "is a picture of several objects",
                     "-o FILE, and neither --sheet nor --frames");
@@ -303,6 +339,7 @@ Image draw_one(RenderArguments& arguments, unsigned threads, Scene& scene, Scene
         [&] { return environment_of(scene, threads); });
   stats.prepare_ms = ms_since(begin);
   const Environment* light = shared.environment.get();
+  become_engine(arguments, light, threads, scene, notes, stats);
   return arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
          : arguments.device == "gl" ? draw_gl(scene, light, arguments.frames, stats)
                                     : draw_cpu(arguments, scene, light, threads, stats);

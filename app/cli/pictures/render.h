@@ -18,6 +18,7 @@ struct RenderArguments {
   std::string device = "auto";
   std::string ambient = "refined";
   std::string ocio, display, view;
+  std::string as;            // an engine
   std::string mesh;          // a glTF file
   std::string sweep;         // NAME=VALUES
   std::string part = "all";  // of the sheet: see draw_sheet()

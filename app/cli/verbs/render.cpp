@@ -6,6 +6,7 @@
 #include "app/cli/pictures/render.h"
 #include "app/cli/verbs.h"
 #include "core/light/studio.h"
+#include "core/render/engines.h"
 
 namespace etak::cli {
 
@@ -54,6 +55,11 @@ void add_render(CommandLine& line) {
               "with --reference: samples of hemispheres and environment per point")
       .range(0, 1 << 20)
       .show_default();
+  verb.option(
+          "--as", arguments->as,
+          "model, roughness, ambient term and tone curve as this engine publishes them, and the dE2000 to the exact material")
+      .one_of(engine_ids())
+      .value_name("ENGINE");
   verb.flag("--sheet", arguments->sheet, "contact sheet: eight materials under every model (no SUBJECT)");
   verb.option(
           "--part", arguments->part,

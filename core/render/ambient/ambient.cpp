@@ -7,8 +7,11 @@
 #include <mutex>
 #include <numbers>
 
+#include "core/color/gloss.h"
 #include "core/math/quadrature.h"
+#include "core/render/ambient/engine_light.h"
 #include "core/render/ambient/light_samples.h"
+#include "core/render/ambient/round_lobe.h"
 #include "core/render/surface_textures.h"
 
 namespace etak {
@@ -243,6 +246,23 @@ struct Surface {
   friend bool operator==(const Surface&, const Surface&) = default;
 };
 
+// The ambient term of an engine at a view, where the model has one; its first values are diffuse colour, F0 and alpha.
+std::optional<EngineLight> light_of_engine(const Model& model, const std::vector<double>& values, double nv) {
+  if (model.kind != ModelKind::combined || values.size() < 7) return std::nullopt;
+  return engine_light(model.id, nv, values[6], {values[3], values[4], values[5]});
+}
+
+// One row of nodes for one gloss of an engine: a round lobe of its roughness along the mirrored viewer.
+void add_engine_row(const Model& model, const std::vector<double>& values, AmbientTable& out) {
+  const double gloss = std::clamp(gloss_of_exponent(exponent_of_alpha(values[6])), 0.0, 1.0);
+  for (int i = 0; i < out.views; ++i) {
+    const Vec3 albedo = light_of_engine(model, values, view_of(i, out.views))->specular;
+    append(out.albedo, out.of_f0 ? quadratic(fitted_f0, albedo) : albedo);
+    append(out.probes[0], {1, level_of_gloss(gloss), 1});
+    append(out.probes[1], {1, level_of_gloss(gloss), 0});
+  }
+}
+
 void add_specular(const Surface& surface, AmbientTable& out) {
   const Model& model = *surface.specular;
   std::vector<double> values = surface.specular_values;
@@ -275,9 +295,10 @@ void add_specular(const Surface& surface, AmbientTable& out) {
       add(row);
     }
   };
-  each_gloss(out.glosses, [&](int) { add_row(model, values, out); });
+  const bool of_engine = light_of_engine(model, values, 1).has_value();
+  each_gloss(out.glosses, [&](int) { (of_engine ? add_engine_row : add_row)(model, values, out); });
   // An anisotropic lobe that changes with the texel would need rows of both.
-  if (!surface.refined || (out.anisotropic && out.glosses > 1)) return;
+  if (!surface.refined || of_engine || (out.anisotropic && out.glosses > 1)) return;
   out.samples.by_azimuth = out.anisotropic;
   if (out.glosses > 1 || out.anisotropic) {
     out.samples.rows = out.anisotropic ? azimuth_rows : gloss_rows_of_samples;
@@ -307,6 +328,8 @@ void add_body(const Surface& surface, AmbientTable& out) {
     if (combined) {
       const Vec3 mirror = body_albedo(*model, black, view_of(i, out.views), pairs);
       for (std::size_t c = 0; c < 3; ++c) albedo[c] -= mirror[c];
+      const auto light = light_of_engine(*model, white, view_of(i, out.views));
+      if (light && light->body) albedo = *light->body;
     }
     append(out.body, albedo);
     for (const double each : albedo) out.plain_body = out.plain_body && std::abs(each - 1) < 1e-4;
