@@ -12,17 +12,24 @@
 namespace etak {
 namespace {
 
+bool is_container(std::string_view format) {
+  return format == "ktx2" || format == "dds";
+}
+
 void write_container(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
-                     const std::string& format, const WriteOptions& options) {
-  std::vector<ConstPixelsView8> levels;
-  for (int l = 0; l < pixels.levels(); ++l) levels.push_back(pixels.view(texture, l));
+                     const std::string& format, const WriteOptions& options, const TextureInBlocks* blocks) {
+  std::vector<ConstPixelsView8> texels;
+  for (int l = 0; l < pixels.levels(); ++l) texels.push_back(pixels.view(texture, l));
+  std::vector<TextureLevel> levels = texture_levels(texels);
+  for (std::size_t l = 0; blocks != nullptr && l < levels.size(); ++l) levels[l].bytes = blocks->levels[l];
+  const BlockFormat* const code = blocks != nullptr ? blocks->format : nullptr;
   const auto file = folder.open(page_file(page, texture, format));
   const FileSink sink{[&](std::string_view bytes) { file->add(bytes); },
                       [&](std::size_t at, std::string_view bytes) { file->patch(at, bytes); }};
   if (format == "ktx2")
-    write_ktx2(levels, true, options.zstd_level, sink);
+    write_ktx2(levels, code, true, options.zstd_level, sink);
   else
-    write_dds(levels, true, texture == Texture::specular_gloss, DdsHeader::dx10, sink);
+    write_dds(levels, code, true, texture == Texture::specular_gloss, sink);
   file->close();
 }
 
@@ -57,6 +64,10 @@ bool writes_floats(const WriteOptions& options) {
                      [](const std::string& format) { return holds_floats(format); });
 }
 
+bool writes_containers(const WriteOptions& options) {
+  return std::ranges::any_of(options.formats, is_container);
+}
+
 std::string page_file(int page, Texture texture, std::string_view format, int level) {
   return "page" + std::to_string(page) + "_" + std::string(name(texture)) +
          (level == 0 ? "" : ".mip" + std::to_string(level)) + "." + std::string(format);
@@ -73,12 +84,12 @@ std::vector<std::string> page_files(int page, Texture texture, int levels,
 }
 
 void write_page(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
-                const WriteOptions& options) {
+                const WriteOptions& options, const TextureInBlocks* blocks) {
   for (const std::string& format : options.formats) {
     if (format == "png")
       write_pngs(folder, page, texture, pixels, options);
     else if (!holds_floats(format))
-      write_container(folder, page, texture, pixels, format, options);
+      write_container(folder, page, texture, pixels, format, options, blocks);
   }
 }
 

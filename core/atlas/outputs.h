@@ -15,6 +15,7 @@ namespace etak {
 
 class OutputFolder;
 class PagePixels;
+struct BlockFormat;  // core/image/blocks/blocks.h
 
 /// What page textures are written as: "png" (mips in files of their own), "ktx2" and "dds" (mips inside); as
 /// floats "tiff" and "exr" (mips in files of their own).
@@ -33,6 +34,12 @@ struct WriteOptions {
   std::function<void(std::size_t texels)> written = {};
 };
 
+/// A texture in blocks, level by level.
+struct TextureInBlocks {
+  const BlockFormat* format = nullptr;
+  std::vector<std::string> levels;  // bytes
+};
+
 /// Whether some format holds floats.
 bool writes_floats(const WriteOptions& options);
 
@@ -43,8 +50,12 @@ std::string page_file(int page, Texture texture, std::string_view format, int le
 std::vector<std::string> page_files(int page, Texture texture, int levels,
                                     const std::vector<std::string>& formats);
 
+/// Whether some format holds textures as a GPU reads them, in which they may be compressed.
+bool writes_containers(const WriteOptions& options);
+
 /// Writes one texture of a page, in those of the formats that hold codes.
+///   blocks   what KTX2 and DDS files hold in place of the texels; null: RGBA8
 void write_page(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
-                const WriteOptions& options);
+                const WriteOptions& options, const TextureInBlocks* blocks = nullptr);
 
 }  // namespace etak

@@ -13,21 +13,19 @@
 namespace etak {
 namespace {
 
+using planning::block_side, planning::cells_of, planning::fits, planning::log2_floor, planning::rounded_up;
 using planning::Cells, planning::Planning;
-using planning::cells_of, planning::fits, planning::log2_floor, planning::rounded_up;
 
 // Gutters may enlarge the page area up to this factor; beyond it regions get no gutters, and UVs are inset.
 // That happens to regions whose sides are powers of two: with any gutter they need the next page size.
 constexpr double most_gutter_area = 1.25;
 
-// Blocks that hardware compresses have so many texels a side.
-constexpr int block = 4;
 // Pages whose sides are free become whole blocks where that takes less than this share more of their area.
 constexpr double most_block_area = 1.02;
 
 // The sides of a page that may grow, as whole blocks where these cost next to nothing.
 RectSize in_blocks(const RectSize& page, int largest_side) {
-  const RectSize out{rounded_up(page.width, block), rounded_up(page.height, block)};
+  const RectSize out{rounded_up(page.width, block_side), rounded_up(page.height, block_side)};
   const auto area = [](const RectSize& s) { return static_cast<double>(s.width) * s.height; };
   return std::max(out.width, out.height) <= largest_side && area(out) < most_block_area * area(page) ? out
                                                                                                      : page;
@@ -82,7 +80,7 @@ RectLayout packed(const Planning& in, const Cells& cells, const std::vector<std:
   if (!in.options.free_first) return packed_as_said(in, cells, which, sizes, options, previous);
   RectOptions free = options;
   free.form = PageForm::free;
-  free.multiple = std::max(options.multiple, block);
+  free.multiple = std::max(options.multiple, block_side);
   try {
     return pack_rects(sizes, free, previous);
   } catch (const Error&) {
@@ -95,7 +93,7 @@ RectLayout packed_outlines(const Cells& cells, const std::vector<std::size_t>& w
                            const RectOptions& options, const std::vector<MaskShape>& all,
                            std::optional<PreviousRects> previous) {
   RectOptions units = options;
-  const int multiple = std::max(options.multiple, block);
+  const int multiple = std::max(options.multiple, block_side);
   units.multiple = multiple / std::gcd(multiple, cells.align);
   units.largest_side = options.largest_side / cells.align;
   std::vector<MaskShape> shapes;

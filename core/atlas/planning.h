@@ -13,6 +13,9 @@ namespace etak::planning {
 
 // The parts of plan_pages(), for its own sources: the cells of regions, and where the regions were in an earlier layout.
 
+/// Blocks that hardware compresses have so many texels a side.
+inline constexpr int block_side = 4;
+
 inline int log2_floor(int value) {
   int out = 0;
   while (value > 1) value >>= 1, ++out;

@@ -23,11 +23,7 @@ namespace {
 int levels_asked(const PackOptions& options, const PackInputs& inputs) {
   if (options.layout.mips) return *options.layout.mips;
   if (options.leave_out.variants && !mips_are_read(*options.leave_out.variants, inputs)) return 1;
-  const auto& formats = options.output.write.formats;
-  const bool container = std::any_of(formats.begin(), formats.end(), [](const std::string& format) {
-    return format == "ktx2" || format == "dds";
-  });
-  return container ? 0 : 1;
+  return writes_containers(options.output.write) ? 0 : 1;
 }
 
 // The same, and those that viewers make of a scene's pages by themselves.
@@ -211,6 +207,7 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source, c
   out.rects.max_seconds = options.layout.max_seconds;
   out.rects.threads = options.run.threads;
   out.levels = levels_sampled(options, source);
+  out.blocks = options.output.compress.how != Compression::none;
   // A region by itself takes a page of just its size, without gutters, unless they were asked for.
   out.gutter = regions.size() == 1 ? options.layout.gutter : way.gutter;
   out.split_textures = !options.leave_out.keep.contains("textures") && !source.one_page;

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/atlas/pack/blocks/budget.h"
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
@@ -129,6 +130,18 @@ PackLayoutOptions layout_options(const PackSettings& s) {
   return out;
 }
 
+CompressOptions compress_options(const PackSettings& s, const WriteOptions& write) {
+  CompressOptions out;
+  if (s.compress == "none") return out;
+  if (!writes_containers(write))
+    throw Error::at(setting("compress"), s.compress + " without a file that can hold blocks",
+                    setting("textures") + " ktx2 or dds");
+  out.how = s.compress == "bc7" ? Compression::bc7 : Compression::automatic;
+  out.budget = parse_block_budget(s.block_error);
+  out.effort = s.compress_effort;
+  return out;
+}
+
 }  // namespace
 
 PackOptions pack_options(const PackSettings& s) {
@@ -151,6 +164,7 @@ PackOptions pack_options(const PackSettings& s) {
   if (s.zstd > 0 && !has_zstd())
     throw Error::at(setting("zstd"), "this etak was built without Zstandard", "0");
   out.output.write.zstd_level = s.zstd;
+  out.output.compress = compress_options(s, out.output.write);
   out.output.smallest_form = s.gltf_form == "smallest";
   if (!out.output.smallest_form) out.output.forms = gltf_forms(s.gltf_form);
   out.output.one_file = s.gltf_container == "glb";

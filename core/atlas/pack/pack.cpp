@@ -226,12 +226,12 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
     result.layout.content_hash = content ? *content : content_hash(options, source);
     check_unchanged(stamps);
   });
+  result.blocks = made->blocks;
   if (made->folder) result.files = complete(options, source, earlier, *made, result);
   tell(source, decision, learned, made->scene, result);
   result.goal = options.output.goal;
   if (made->folder)
-    stages.timed("totals",
-                 [&] { result.totals = pack_totals(source, options, result.layout, *made->folder); });
+    stages.timed("totals", [&] { result.totals = pack_totals(source, options, result, *made->folder); });
   result.stages = stages.all();
   put_all_in_place(options, made->folder.get(), stages, result);
   result.stages = stages.all();

@@ -16,6 +16,7 @@
 #include "core/atlas/leave_out.h"
 #include "core/atlas/manifest.h"
 #include "core/atlas/outputs.h"
+#include "core/atlas/pack/blocks/compress_options.h"
 #include "core/atlas/pack/settings.h"
 #include "core/atlas/pack/totals.h"
 #include "core/atlas/plan.h"
@@ -91,6 +92,7 @@ struct PackLayoutOptions {
 /// What is written, and which existing files it may replace.
 struct PackOutputOptions {
   WriteOptions write;
+  CompressOptions compress;  // of KTX2 and DDS files
   std::vector<GltfForm> forms{GltfForm::specular_ior};
   bool smallest_form = false;     // of the exact ones the one whose textures weigh least, in place of `forms`
   PackGoal goal = PackGoal::gpu;  // what is weighed of a scene; files of PNG are the ones that count
@@ -208,6 +210,7 @@ struct PackResult {
   std::string way;
   std::vector<GoalCost> other_goals;
   std::optional<PagesApart> apart;  // of PackGoal::one_page, where there are such pages
+  std::vector<BlockLevel> blocks;   // of textures that were compressed, or were tried to be
   std::string validation;  // JSON of the validator's report on the pages; empty: they were not checked
   GlossForm gloss = GlossForm::schueler;
 };

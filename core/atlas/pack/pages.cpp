@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/atlas/pack/blocks/compress_page.h"
 #include "core/atlas/pack/identity.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/progress.h"
@@ -14,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/files/read_places.h"
 #include "core/base/setting.h"
+#include "core/image/files/containers.h"
 
 namespace etak {
 namespace {
@@ -48,11 +50,25 @@ bool may_be_cut(const PackOptions& options, const PackSource& source) {
   return !source.scene && write.formats == std::vector<std::string>{"png"};
 }
 
-void write_files(const WholePage& page, const PackSource& source, const PackStages& stages, MadePages& to) {
+// What stays RGBA8 beside textures in blocks is at least compressed as a file.
+constexpr int zstd_of_fallback = 3;
+
+void write_files(const WholePage& page, const PackOptions& options, const PackSource& source,
+                 const PackStages& stages, MadePages& to) {
   for (const Texture texture : both_textures) {
     stages.stop_if_cancelled();
-    if (page.decision.plan.pages[static_cast<std::size_t>(page.number)].has[index_of(texture)])
+    if (!page.decision.plan.pages[static_cast<std::size_t>(page.number)].has[index_of(texture)]) continue;
+    if (options.output.compress.how == Compression::none) {
       write_page(*to.folder, page.number, texture, page.pixels, page.options);
+      continue;
+    }
+    const CompressedTexture made =
+        compress_texture({page.decision, source.inputs.materials, page.number, texture, page.pixels,
+                          source.inputs.gloss, options.output.compress, options.run.threads});
+    to.blocks.insert(to.blocks.end(), made.report.begin(), made.report.end());
+    WriteOptions write = page.options;
+    if (!made.blocks && write.zstd_level == 0 && has_zstd()) write.zstd_level = zstd_of_fallback;
+    write_page(*to.folder, page.number, texture, page.pixels, write, made.blocks ? &*made.blocks : nullptr);
   }
   if (source.scene) to.scene_pictures.merge(write_page(*to.folder, page, *source.scene, to.scene));
 }
@@ -189,7 +205,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, PackSource& sour
     stages.timed("gutters and mips", [&] { composer.mips(p, pixels); });
     check(p);
     if (!made.folder) continue;
-    stages.timed("write", [&] { write_files({p, pixels, decision, write}, source, stages, made); });
+    stages.timed("write", [&] { write_files({p, pixels, decision, write}, options, source, stages, made); });
     if (!writes_floats(write)) continue;
     stages.timed("floats", [&] {
       write_floats(*made.folder, p, compose_floats(p, levels, materials, regions, plan, compose), options);

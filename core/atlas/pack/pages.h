@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/atlas/pack/blocks/compress_options.h"
 #include "core/atlas/pack/decision.h"
 #include "core/atlas/pack/earlier.h"
 #include "core/atlas/pack/scene/scene_output.h"
@@ -22,6 +23,7 @@ struct MadePages {
   bool good = true;                      // what the check says of all pages
   SceneChoice scene;                     // of a scene
   std::set<std::string> scene_pictures;  // files that the scene reads beside the pages' textures
+  std::vector<BlockLevel> blocks;        // what compression did
 };
 
 /// Of the ways to pack the one whose textures weigh least: of a scene, where files are weighed

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack/blocks/report_blocks.h"
 #include "core/atlas/pack/pack.h"
 #include "core/base/json/json_text.h"
 #include "core/base/number.h"
@@ -250,6 +251,7 @@ std::string report_text(const PackResult& r, bool stages) {
            " stored as " + std::to_string(each.stored_width) + "x" + std::to_string(each.stored_height) +
            ", dE " + number(each.delta_e, 3) + ", " + number(each.seen_delta_e, 3) + " of what is seen\n";
   if (r.totals) out += totals_text(*r.totals);
+  out += blocks_text(r.blocks);
   out += forms_text(r) + choice_text(r) + one_page_text(r);
   if (stages)
     for (const PackStage& stage : r.stages)
@@ -298,6 +300,10 @@ std::string report_json(const PackResult& r, bool stages) {
         {"one_page", "{\"binds\": 1, \"gpu\": " + json(pages_gpu(r)) + ", \"apart\": " + apart + "}"});
   }
   if (r.totals) members.push_back({"totals", totals_json(*r.totals)});
+  if (!r.blocks.empty())
+    members.push_back({"blocks", list_json(r.blocks, [&](const BlockLevel& level) {
+                         return block_level_json(level, stages);
+                       })});
   if (!r.validation.empty()) members.push_back({"validation", r.validation});
   if (stages)
     members.push_back({"stages", list_json(r.stages, [](const PackStage& stage) {

@@ -83,6 +83,13 @@ constexpr PackSettingRow setting_rows[] = {
      "fast, small or smallest; auto: of each picture the level at which compressing it and sending it once at 1 MB/s takes least, and palettes or grey of fewer bits for those that only a scene reads",
      "fast small smallest auto"},
     {output, "zstd", &S::zstd, 0, 22, "", shown, "Zstandard level of ktx2; 0: none"},
+    {output, "compress", &S::compress, 0, 0, "", shown,
+     "textures of ktx2 and dds in blocks that a GPU reads: bc7; auto: the same for those on which every material stays within {block-error}, the others as RGBA8",
+     "none auto bc7"},
+    {output, "block-error", &S::block_error, 0, 0, "N|LIST", shown,
+     "what blocks may change, at the 99th percentile of each material's texels: diffuse=1,f0=1,gloss=10,alpha=0.5 (dE2000 twice, percent of the gloss exponent, percent of coverage) or some of these; N: so many times that"},
+    {output, "compress-effort", &S::compress_effort, 1, 4, "N", shown,
+     "of the first try at each block, 1 to 4; blocks that miss {block-error} are tried again with more"},
 };
 
 }  // namespace settings_table

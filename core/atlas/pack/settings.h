@@ -33,8 +33,8 @@ struct PackSettings {
   bool bleed = false, all_scenes = false, drop_variants = false;
   int scene = -1;  // the file's own
   // output
-  std::string format = "png", png_level;
-  int zstd = 0;
+  std::string format = "png", png_level, compress = "none", block_error = "1";
+  int zstd = 0, compress_effort = 2;
 
   friend bool operator==(const PackSettings&, const PackSettings&) = default;
 };

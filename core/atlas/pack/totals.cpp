@@ -13,8 +13,10 @@
 #include "core/base/files/input.h"
 #include "core/base/files/output_folder.h"
 #include "core/base/files/steady_file.h"
+#include "core/image/blocks/blocks.h"
 #include "core/image/files/png.h"
 #include "core/image/load.h"
+#include "core/image/mips.h"
 #include "core/image/texture_bytes.h"
 #include "core/scene/image_roles.h"
 
@@ -67,14 +69,30 @@ void add_manifest(PackTotals& to, const std::vector<PackInput>& materials, const
   }
 }
 
+// The bytes of a page's texture on a GPU, with all mips.
+std::uint64_t page_bytes(const PackResult& result, std::size_t number, Texture texture) {
+  const AtlasPage& page = result.layout.pages[number];
+  const auto level = std::ranges::find_if(result.blocks, [&](const BlockLevel& each) {
+    return each.page == static_cast<int>(number) && each.texture == texture;
+  });
+  if (level == result.blocks.end() || level->fallback)
+    return texture_bytes({page.width, page.height, 4}, true);
+  std::uint64_t out = 0;
+  for (int l = 0; l < full_mip_levels(page.width, page.height); ++l)
+    out += texture_level_bytes(block_format_named(level->format), std::max(1, page.width >> l),
+                               std::max(1, page.height >> l));
+  return out;
+}
+
 // The pages' two textures, in every format that was written.
-void add_pages(std::vector<RoleTotals>& to, const AtlasLayout& layout, const OutputFolder& folder) {
-  for (const AtlasPage& page : layout.pages)
+void add_pages(std::vector<RoleTotals>& to, const PackResult& result, const OutputFolder& folder) {
+  for (std::size_t number = 0; number < result.layout.pages.size(); ++number)
     for (const Texture texture : both_textures) {
+      const AtlasPage& page = result.layout.pages[number];
       const auto& files = page.files[index_of(texture)];
       if (files.empty()) continue;
       TextureTotals totals;
-      totals.gpu = texture_bytes({page.width, page.height, 4}, true);
+      totals.gpu = page_bytes(result, number, texture);
       for (const std::string& name : files) {
         ++totals.files;
         totals.disk += std::filesystem::file_size(folder.path_until_commit(name));
@@ -147,15 +165,16 @@ TextureTotals PackTotals::of_materials(const std::vector<RoleTotals>& roles) {
   return out;
 }
 
-PackTotals pack_totals(const PackSource& source, const PackOptions& options, const AtlasLayout& layout,
+PackTotals pack_totals(const PackSource& source, const PackOptions& options, const PackResult& result,
                        const OutputFolder& folder) {
+  const AtlasLayout& layout = result.layout;
   const PictureDoor& door = options.input.pictures.door;
   PackTotals out;
   if (source.scene)
     add_input_scene(out, source.scene->scene, door);
   else
     add_manifest(out, source.materials(), door);
-  add_pages(out.output, layout, folder);
+  add_pages(out.output, result, folder);
   const auto& others = layout.other_files;
   for (const char* scene : {"scene.gltf", "scene.glb"})
     if (std::find(others.begin(), others.end(), scene) != others.end())

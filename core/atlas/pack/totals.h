@@ -16,12 +16,13 @@ namespace etak {
 
 class OutputFolder;
 struct PackOptions;
+struct PackResult;
 struct PackSource;
 
 /// What texture files take.
 ///   disk   bytes of the files
-///   gpu    bytes uncompressed with all mips (core/image/texture_bytes.h); of a texture that lies there in
-///          several formats, of one
+///   gpu    bytes uncompressed with all mips (core/image/texture_bytes.h), but for textures that are in blocks; of a
+///          texture that lies there in several formats, of one
 struct TextureTotals {
   std::size_t files = 0;
   std::uint64_t disk = 0, gpu = 0;
@@ -128,7 +129,8 @@ struct GoalCost {
 };
 
 /// Counts the textures that were read and those in `folder`, which is not in place yet. Throws Error.
-PackTotals pack_totals(const PackSource& source, const PackOptions& options, const AtlasLayout& layout,
+///   result   its layout, and which textures are in blocks
+PackTotals pack_totals(const PackSource& source, const PackOptions& options, const PackResult& result,
                        const OutputFolder& folder);
 
 }  // namespace etak

@@ -36,6 +36,8 @@ inline constexpr std::array block_formats{
 /// others.
 const BlockFormat* block_format_of_vk(std::uint32_t vk);
 const BlockFormat* block_format_of_dxgi(std::uint32_t dxgi);
+/// The same by its name.
+const BlockFormat* block_format_named(std::string_view name);
 
 /// The bytes of one mip level. Blocks at the right and the lower edge are whole where the level is not.
 ///   format   null: four bytes a texel

@@ -22,12 +22,25 @@ struct FileSink {
   std::function<void(std::size_t at, std::string_view)> patch;
 };
 
-/// Writes a KTX 2.0 file (Khronos KTX 2.0 specification): VK_FORMAT_R8G8B8A8_UNORM or _SRGB with its data
-/// format descriptor, straight alpha, KTXorientation "rd", KTXwriter "etak".
-///   levels       an RGBA8 texture with its mip chain: levels[l] has max(1, side >> l) texels a side, 4
-///                channels, and no gaps between rows
-///   srgb         the colour is sRGB-encoded; alpha never is
+/// One mip level as a file holds it: rows of texels without gaps between them, or blocks.
+///   bytes   texture_level_bytes() of the format and the size
+struct TextureLevel {
+  int width = 0, height = 0;
+  std::string_view bytes;
+};
+
+/// The levels of an RGBA8 texture: 4 channels, and no gaps between rows.
+std::vector<TextureLevel> texture_levels(std::span<const ConstPixelsView8> levels);
+
+/// Writes a KTX 2.0 file (Khronos KTX 2.0 specification) of RGBA8 or of blocks, with its data format descriptor,
+/// straight alpha, KTXorientation "rd", KTXwriter "etak".
+///   levels       a texture with its mip chain: levels[l] has max(1, side >> l) texels a side
+///   blocks       null: RGBA8
+///   srgb         the colour is sRGB-encoded; alpha never is. Of a format that has such a number
 ///   zstd_level   0: no supercompression; 1..22: Zstandard, an Error where has_zstd() is false
+void write_ktx2(std::span<const TextureLevel> levels, const BlockFormat* blocks, bool srgb, int zstd_level,
+                const FileSink& sink);
+/// The same of RGBA8.
 void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink);
 /// Whether etak was built with Zstandard.
 bool has_zstd();
@@ -40,9 +53,12 @@ enum class DdsHeader { dx10, legacy };
 
 /// Writes a DDS file, level 0 first, rows without padding. Throws Error for an sRGB texture with a legacy
 /// header, which cannot say sRGB.
-///   levels, srgb   as in write_ktx2()
+///   levels, blocks, srgb   as in write_ktx2(); blocks have a DX10 header
 ///   custom_alpha   true: the fourth channel is no opacity (but gloss), and the alpha mode is "custom";
 ///                  false: the alpha mode is "straight". Only DX10 headers have an alpha mode
+void write_dds(std::span<const TextureLevel> levels, const BlockFormat* blocks, bool srgb, bool custom_alpha,
+               const FileSink& sink);
+/// The same of RGBA8.
 void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
                const FileSink& sink);
 

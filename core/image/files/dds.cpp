@@ -17,7 +17,7 @@ using namespace bytes_le;
 
 constexpr std::size_t header_end = 4 + 124, dx10_end = header_end + 20;
 constexpr std::uint32_t flag_caps = 0x1, flag_height = 0x2, flag_width = 0x4, flag_pitch = 0x8,
-                        flag_pixel_format = 0x1000, flag_mip_count = 0x20000;
+                        flag_pixel_format = 0x1000, flag_mip_count = 0x20000, flag_linear_size = 0x80000;
 constexpr std::uint32_t pixel_alpha = 0x1, pixel_four_cc = 0x4, pixel_rgb = 0x40;
 constexpr std::uint32_t caps_complex = 0x8, caps_texture = 0x1000, caps_mipmap = 0x400000;
 constexpr std::uint32_t caps2_cube_or_volume = 0x200 | 0xfc00 | 0x200000;
@@ -65,23 +65,20 @@ Format format_of(std::string_view bytes) {
   return out;
 }
 
-}  // namespace
-
-void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
-               const FileSink& sink) {
+void write_levels(std::span<const TextureLevel> levels, const BlockFormat* blocks, bool srgb,
+                  bool custom_alpha, DdsHeader header, const FileSink& sink) {
   assert(!levels.empty());
-  if (header == DdsHeader::legacy && srgb)
-    throw Error::at("DDS", "an sRGB texture under a legacy header", "a DX10 header, which can say sRGB");
-  const ConstPixelsView8& first = levels[0];
+  const TextureLevel& first = levels[0];
   const bool mips = levels.size() > 1, dx10 = header == DdsHeader::dx10;
   std::string out("DDS ");
   append32(out, 124);
-  append32(out, flag_caps | flag_height | flag_width | flag_pitch | flag_pixel_format |
-                    (mips ? flag_mip_count : 0));
+  append32(out, flag_caps | flag_height | flag_width | (blocks != nullptr ? flag_linear_size : flag_pitch) |
+                    flag_pixel_format | (mips ? flag_mip_count : 0));
   append32(out, static_cast<std::uint64_t>(first.height));
   append32(out, static_cast<std::uint64_t>(first.width));
-  append32(out, static_cast<std::uint64_t>(first.width) * 4);  // pitch
-  append32(out, 0);                                            // no depth
+  // The bytes of a row; of blocks those of the first level.
+  append32(out, blocks != nullptr ? first.bytes.size() : static_cast<std::size_t>(first.width) * 4);
+  append32(out, 0);  // no depth
   append32(out, levels.size());
   out.append(std::size_t{11} * 4, '\0');
   append32(out, 32);  // pixel format
@@ -92,21 +89,29 @@ void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_
   append32(out, caps_texture | (mips ? caps_complex | caps_mipmap : 0));
   out.append(std::size_t{4} * 4, '\0');
   if (dx10) {
-    append32(out, srgb ? dxgi_r8g8b8a8_unorm_srgb : dxgi_r8g8b8a8_unorm);
+    append32(out, blocks != nullptr ? (srgb ? blocks->dxgi_srgb : blocks->dxgi)
+                                    : (srgb ? dxgi_r8g8b8a8_unorm_srgb : dxgi_r8g8b8a8_unorm));
     append32(out, texture_2d);
     append32(out, 0);
     append32(out, 1);  // one layer
     append32(out, custom_alpha ? alpha_custom : alpha_straight);
   }
   sink.add(out);
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    const ConstPixelsView8& level = levels[l];
-    assert(level.channels == 4 && level.width == std::max(1, first.width >> l) &&
-           level.height == std::max(1, first.height >> l) &&
-           level.stride == 4 * static_cast<std::size_t>(level.width));
-    sink.add(
-        {reinterpret_cast<const char*>(level.data), level.stride * static_cast<std::size_t>(level.height)});
-  }
+  for (const TextureLevel& level : levels) sink.add(level.bytes);
+}
+
+}  // namespace
+
+void write_dds(std::span<const TextureLevel> levels, const BlockFormat* blocks, bool srgb, bool custom_alpha,
+               const FileSink& sink) {
+  write_levels(levels, blocks, srgb, custom_alpha, DdsHeader::dx10, sink);
+}
+
+void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
+               const FileSink& sink) {
+  if (header == DdsHeader::legacy && srgb)
+    throw Error::at("DDS", "an sRGB texture under a legacy header", "a DX10 header, which can say sRGB");
+  write_levels(texture_levels(levels), nullptr, srgb, custom_alpha, header, sink);
 }
 
 bool has_known_dds_format(std::string_view bytes) {

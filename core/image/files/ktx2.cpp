@@ -28,6 +28,11 @@ constexpr const char* without_zstd = "Zstandard, which this etak was built witho
 #endif
 constexpr std::size_t header_bytes = 80, index_entry_bytes = 24;  // the level index follows the header
 
+// Levels that are not compressed lie on multiples of so many bytes.
+std::size_t unit_bytes(const BlockFormat* blocks) {
+  return blocks != nullptr ? blocks->block_bytes : 4;
+}
+
 void pad_to_4(std::string& out) {
   while (out.size() % 4 != 0) out.push_back('\0');
 }
@@ -104,11 +109,6 @@ std::string key_values() {
     pad_to_4(out);
   }
   return out;
-}
-
-// The bytes of a whole level, whose rows have no gaps between them.
-std::string_view bytes_of(const ConstPixelsView8& level) {
-  return {reinterpret_cast<const char*>(level.data), texture_level_bytes(nullptr, level.width, level.height)};
 }
 
 #ifdef ETAK_HAS_ZSTD
@@ -222,25 +222,40 @@ bool has_zstd() {
 #endif
 }
 
-void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink) {
+std::vector<TextureLevel> texture_levels(std::span<const ConstPixelsView8> levels) {
+  std::vector<TextureLevel> out;
+  for (const ConstPixelsView8& level : levels) {
+    assert(level.channels == 4 && level.stride == 4 * static_cast<std::size_t>(level.width));
+    out.push_back({level.width,
+                   level.height,
+                   {reinterpret_cast<const char*>(level.data),
+                    texture_level_bytes(nullptr, level.width, level.height)}});
+  }
+  return out;
+}
+
+void write_ktx2(std::span<const TextureLevel> levels, const BlockFormat* blocks, bool srgb, int zstd_level,
+                const FileSink& sink) {
   assert(!levels.empty() && zstd_level >= 0 && zstd_level <= 22);
-  const ConstPixelsView8& first = levels[0];
+  const TextureLevel& first = levels[0];
   const std::size_t count = levels.size();
-  const std::string descriptor = data_format_descriptor(nullptr, srgb), pairs = key_values();
+  const std::string descriptor = data_format_descriptor(blocks, srgb);
+  std::string pairs = key_values();
   const std::size_t descriptor_at = header_bytes + index_entry_bytes * count;
-  const std::size_t pairs_at = descriptor_at + descriptor.size();
+  const std::size_t pairs_at = descriptor_at + descriptor.size(), pairs_bytes = pairs.size();
+  // Levels that are not compressed lie on multiples of 4 bytes and of a block.
+  if (zstd_level == 0)
+    while ((pairs_at + pairs.size()) % unit_bytes(blocks) != 0) pairs.push_back('\0');
 
   // The smallest level comes first, so that a reader may stop early; the index begins with the largest. The
-  // data in front of the levels, and every level that is not compressed, are multiples of 4 bytes, so that
-  // all levels are aligned. The lengths of compressed levels are patched in when they are known.
+  // lengths of compressed levels are patched in when they are known.
   std::vector<std::size_t> offset(count), length(count);
   std::size_t end = pairs_at + pairs.size();
   for (std::size_t l = count; l-- > 0;) {
-    const ConstPixelsView8& level = levels[l];
-    assert(level.channels == 4 && level.width == std::max(1, first.width >> l) &&
-           level.height == std::max(1, first.height >> l) &&
-           level.stride == 4 * static_cast<std::size_t>(level.width));
-    length[l] = texture_level_bytes(nullptr, level.width, level.height);
+    [[maybe_unused]] const TextureLevel& level = levels[l];
+    assert(level.width == std::max(1, first.width >> l) && level.height == std::max(1, first.height >> l) &&
+           level.bytes.size() == texture_level_bytes(blocks, level.width, level.height));
+    length[l] = levels[l].bytes.size();
     offset[l] = end;
     end += length[l];
   }
@@ -249,13 +264,14 @@ void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_le
     for (std::size_t l = 0; l < count; ++l) {
       append64(out, offset[l]);
       append64(out, length[l]);
-      append64(out, texture_level_bytes(nullptr, levels[l].width, levels[l].height));
+      append64(out, levels[l].bytes.size());
     }
     return out;
   };
 
   std::string out(identifier);
-  append32(out, srgb ? vk_r8g8b8a8_srgb : vk_r8g8b8a8_unorm);
+  append32(out, blocks != nullptr ? (srgb ? blocks->vk_srgb : blocks->vk)
+                                  : (srgb ? vk_r8g8b8a8_srgb : vk_r8g8b8a8_unorm));
   append32(out, 1);  // bytes of a typed unit
   append32(out, static_cast<std::uint64_t>(first.width));
   append32(out, static_cast<std::uint64_t>(first.height));
@@ -267,22 +283,26 @@ void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_le
   append32(out, descriptor_at);
   append32(out, descriptor.size());
   append32(out, pairs_at);
-  append32(out, pairs.size());
+  append32(out, pairs_bytes);
   append64(out, 0);  // no global data
   append64(out, 0);
   assert(out.size() == header_bytes);
   sink.add(out + index() + descriptor + pairs);
   if (zstd_level == 0) {
-    for (std::size_t l = count; l-- > 0;) sink.add(bytes_of(levels[l]));
+    for (std::size_t l = count; l-- > 0;) sink.add(levels[l].bytes);
     return;
   }
   end = pairs_at + pairs.size();
   for (std::size_t l = count; l-- > 0;) {
     offset[l] = end;
-    length[l] = compress(bytes_of(levels[l]), zstd_level, sink.add);
+    length[l] = compress(levels[l].bytes, zstd_level, sink.add);
     end += length[l];
   }
   sink.patch(header_bytes, index());
+}
+
+void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink) {
+  write_ktx2(texture_levels(levels), nullptr, srgb, zstd_level, sink);
 }
 
 TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
@@ -317,7 +337,7 @@ TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
   TextureFile file;
   file.srgb = srgb;
   file.blocks = blocks;
-  const std::size_t unit = blocks != nullptr ? blocks->block_bytes : 4;  // that levels lie on multiples of
+  const std::size_t unit = unit_bytes(blocks);
   const auto side = [](std::uint32_t of, std::size_t level) {
     return std::max(1, static_cast<int>(of >> level));
   };

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack/blocks/compress_page.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/atlas/pack/blocks/block_uses.h"
+#include "core/atlas/pack/blocks/budget.h"
+#include "core/atlas/planning.h"
+#include "core/atlas/texels/page_pixels.h"
+#include "core/base/parallel.h"
+
+namespace etak {
+namespace {
+
+using planning::block_side;
+constexpr std::size_t bc7_bytes = 16;
+
+const BlockFormat& bc7_format() {
+  return *block_format_named("BC7");
+}
+
+// Differences of a material's texels.
+struct Spreads {
+  Spread colour, fourth;
+  explicit Spreads(const BlockMeasure& measure)
+      : colour(measure.colour_budget() / 100), fourth(measure.fourth_budget() / 100) {}
+};
+using ByMaterial = std::vector<std::optional<Spreads>>;
+
+// Compresses one level, and looks at what became of it.
+class LevelInBlocks {
+ public:
+  LevelInBlocks(const BlockJob& job, const BlockMeasure& measure, int level)
+      : job_(job),
+        measure_(measure),
+        view_(job.pixels.view(job.texture, level)),
+        uses_(block_uses(job.decision, job.page, job.texture, level)),
+        bytes_(bc7_bytes * uses_.owner.size(), '\0'),
+        excess_(uses_.owner.size()) {}
+
+  // Compresses all blocks.
+  void encode(const BlockEncoding& how) {
+    timed([&] {
+      each_row([&](std::size_t row, unsigned) {
+        std::vector<BlockSource> sources(across());
+        for (std::size_t x = 0; x < sources.size(); ++x) sources[x] = source(row * across() + x);
+        encode_blocks(sources, how, block(row * across()));
+      });
+    });
+  }
+
+  // What the blocks make of the texels, by material.
+  ByMaterial measure() {
+    std::vector<ByMaterial> by_worker(job_.threads, ByMaterial(job_.materials.size()));
+    each_row([&](std::size_t row, unsigned worker) {
+      for (std::size_t b = row * across(); b < (row + 1) * across(); ++b) {
+        excess_[b] = 0;
+        if (!uses_.owner[b]) continue;
+        std::optional<Spreads>& to = by_worker[worker][*uses_.owner[b]];
+        if (!to) to.emplace(measure_);
+        excess_[b] = compare(b, block(b), &*to);
+      }
+    });
+    ByMaterial out = std::move(by_worker[0]);
+    for (std::size_t w = 1; w < by_worker.size(); ++w)
+      for (std::size_t m = 0; m < out.size(); ++m) {
+        if (!by_worker[w][m]) continue;
+        if (!out[m]) out[m].emplace(measure_);
+        out[m]->colour.add(by_worker[w][m]->colour);
+        out[m]->fourth.add(by_worker[w][m]->fourth);
+      }
+    return out;
+  }
+
+  // Tries those blocks again that miss the budget, of the materials that do; keeps what is nearer to it.
+  void escalate(const std::vector<bool>& misses, const BlockEncoding& how) {
+    std::vector<std::size_t> bad;
+    for (std::size_t b = 0; b < excess_.size(); ++b)
+      if (excess_[b] > 1 && uses_.owner[b] && misses[*uses_.owner[b]]) bad.push_back(b);
+    escalated_ = std::max(escalated_, bad.size());
+    timed([&] {
+      constexpr std::size_t chunk = 64;
+      parallel_chunks(bad.size(), job_.threads, chunk, [&](std::size_t begin, std::size_t end, unsigned) {
+        std::vector<BlockSource> sources;
+        for (std::size_t i = begin; i < end; ++i) sources.push_back(source(bad[i]));
+        std::vector<std::uint8_t> tried(bc7_bytes * sources.size());
+        encode_blocks(sources, how, tried.data());
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::uint8_t* const its = &tried[bc7_bytes * (i - begin)];
+          const double excess = compare(bad[i], its, nullptr);
+          if (excess >= excess_[bad[i]]) continue;
+          excess_[bad[i]] = excess;
+          std::copy_n(its, bc7_bytes, block(bad[i]));
+        }
+      });
+    });
+  }
+
+  bool is_mask(std::size_t material) const {
+    return job_.texture == Texture::diffuse_alpha && job_.materials[material].alpha_mode == AlphaMode::mask;
+  }
+  // A mask is kept exact.
+  bool met(std::size_t material, const Spreads& spreads) const {
+    return spreads.colour.percentile_99() <= measure_.colour_budget() &&
+           (is_mask(material) ? spreads.fourth.largest() == 0
+                              : spreads.fourth.percentile_99() <= measure_.fourth_budget());
+  }
+  std::string& bytes() { return bytes_; }
+  double seconds() const { return seconds_; }
+  std::size_t shared() const { return uses_.shared; }
+  std::size_t escalated() const { return escalated_; }
+  std::size_t count() const { return excess_.size(); }
+  std::size_t texels() const { return uses_.used.size(); }
+
+ private:
+  std::size_t across() const { return static_cast<std::size_t>(uses_.across); }
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a file
+  std::uint8_t* block(std::size_t b) { return reinterpret_cast<std::uint8_t*>(&bytes_[bc7_bytes * b]); }
+
+  template <class Work>
+  void timed(const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+  template <class Work>
+  void each_row(const Work& work) {
+    parallel_chunks(static_cast<std::size_t>(uses_.down), job_.threads, 1,
+                    [&](std::size_t begin, std::size_t end, unsigned worker) {
+                      for (std::size_t row = begin; row < end; ++row) work(row, worker);
+                    });
+  }
+
+  // A block's texels; beyond the edge of the level they repeat it and do not count.
+  BlockSource source(std::size_t b) const {
+    const int left = block_side * static_cast<int>(b % across()),
+              top = block_side * static_cast<int>(b / across());
+    BlockSource out;
+    for (int i = 0; i < block_side * block_side; ++i) {
+      const int x = left + i % block_side, y = top + i / block_side;
+      const int inside_x = std::min(x, view_.width - 1), inside_y = std::min(y, view_.height - 1);
+      std::copy_n(view_.at(inside_x, inside_y), 4, out.texels[static_cast<std::size_t>(i)].data());
+      const bool counts = x == inside_x && y == inside_y &&
+                          uses_.used[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
+                                     static_cast<std::size_t>(x)] != 0;
+      out.shares[static_cast<std::size_t>(i)] = counts ? 1 : 0;
+    }
+    return out;
+  }
+
+  // The largest difference of a block that has an owner, in budgets.
+  //   to   gets the differences; null: none
+  double compare(std::size_t b, const std::uint8_t* bytes, Spreads* to) const {
+    const BlockSource from = source(b);
+    const BlockTexels texels = decode_bc7(bytes);
+    const PackInput& material = job_.materials[*uses_.owner[b]];
+    const bool diffuse = job_.texture == Texture::diffuse_alpha;
+    const bool opaque = diffuse && material.alpha_mode == AlphaMode::opaque;
+    const int cutoff =
+        is_mask(*uses_.owner[b]) ? static_cast<int>(std::ceil(255 * material.alpha_cutoff)) : -1;
+    double out = 0;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+      if (from.shares[i] <= 0) continue;
+      // Nothing shows the colour of a texel that lets all light through.
+      const bool unseen = diffuse && !opaque && from.texels[i][3] == 0;
+      const double colour = unseen ? 0 : measure_.colour(from.texels[i], texels[i]);
+      const double fourth = opaque ? 0 : measure_.fourth(from.texels[i][3], texels[i][3], cutoff);
+      out = std::max({out, colour / measure_.colour_budget(), fourth / measure_.fourth_budget()});
+      if (to == nullptr) continue;
+      to->colour.add(colour);
+      to->fourth.add(fourth);
+    }
+    return out;
+  }
+
+  const BlockJob& job_;
+  const BlockMeasure& measure_;
+  ConstPixelsView8 view_;
+  BlockUses uses_;
+  std::string bytes_;
+  std::vector<double> excess_;  // by block: its largest difference in budgets
+  double seconds_ = 0;
+  std::size_t escalated_ = 0;
+};
+
+// What blocks are tried with in turn: more effort, then more weight on one side.
+std::vector<BlockEncoding> encodings(const CompressOptions& how, const ChannelWeights& weights) {
+  std::vector<BlockEncoding> out{{BlockCode::bc7, weights, how.effort}};
+  for (int effort = how.effort + 1; effort <= most_block_effort; ++effort)
+    out.push_back({BlockCode::bc7, weights, effort});
+  for (const float factor : {4.0f, 0.25f}) {
+    ChannelWeights other = weights;
+    other[3] *= factor;
+    out.push_back({BlockCode::bc7, other, std::min(most_block_effort, how.effort + 1)});
+  }
+  return out;
+}
+
+std::vector<bool> missing(const LevelInBlocks& level, const ByMaterial& spreads) {
+  std::vector<bool> out(spreads.size());
+  for (std::size_t m = 0; m < spreads.size(); ++m) out[m] = spreads[m] && !level.met(m, *spreads[m]);
+  return out;
+}
+
+// Compresses a level and takes its bytes.
+BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int number, std::string& bytes) {
+  LevelInBlocks level(job, measure, number);
+  const std::vector<BlockEncoding> tries = encodings(job.how, measure.weights());
+  level.encode(tries[0]);
+  ByMaterial spreads = level.measure();
+  for (std::size_t t = 1; t < tries.size(); ++t) {
+    const std::vector<bool> misses = missing(level, spreads);
+    if (std::ranges::find(misses, true) == misses.end()) break;
+    level.escalate(misses, tries[t]);
+    spreads = level.measure();
+  }
+  BlockLevel out;
+  out.page = job.page;
+  out.texture = job.texture;
+  out.level = number;
+  out.format = bc7_format().name;
+  out.bytes = level.bytes().size();
+  out.texels = level.texels();
+  out.seconds = level.seconds();
+  out.blocks = level.count();
+  out.escalated = level.escalated();
+  out.shared = level.shared();
+  for (std::size_t m = 0; m < spreads.size(); ++m) {
+    if (!spreads[m]) continue;
+    const auto& [colour, fourth] = *spreads[m];
+    out.materials.push_back({job.materials[m].name, colour.percentile_99(), colour.largest(),
+                             fourth.percentile_99(), fourth.largest(), level.met(m, *spreads[m])});
+  }
+  bytes = std::move(level.bytes());
+  return out;
+}
+
+}  // namespace
+
+CompressedTexture compress_texture(const BlockJob& job) {
+  const BlockMeasure measure(job.texture, job.gloss, job.how.budget);
+  CompressedTexture out;
+  out.blocks.emplace();
+  out.blocks->format = &bc7_format();
+  for (int l = 0; l < job.pixels.levels(); ++l) {
+    out.report.push_back(compressed(job, measure, l, out.blocks->levels.emplace_back()));
+    const bool met = std::ranges::all_of(out.report.back().materials, &BlockMaterial::met);
+    if (met || job.how.how != Compression::automatic) continue;
+    out.blocks.reset();
+    for (BlockLevel& level : out.report) {
+      level.format = "RGBA8";
+      level.bytes = 4 * level.texels;
+      level.fallback = true;
+    }
+    break;
+  }
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// Atlases whose textures are in blocks.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/atlas/pack/blocks/budget.h"
+#include "core/color/delta_e.h"
+#include "core/color/srgb.h"
+#include "core/image/files/containers.h"
+#include "tests/core/atlas/pack_support.h"
+
+namespace etak {
+namespace {
+
+using namespace test;
+
+// A picture of slow waves with some noise, as materials have it.
+Image8 waves(int width, int height, int channels, unsigned seed, unsigned noise) {
+  std::mt19937 random(seed);
+  Image8 out(width, height, channels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < channels; ++c) {
+        const double wave = 128 + 60 * std::sin(0.02 * (x + 2 * c) + seed) * std::cos(0.015 * (y - c));
+        out.at(x, y)[static_cast<std::size_t>(c)] =
+            static_cast<std::uint8_t>(wave + static_cast<double>(random() % (noise + 1)));
+      }
+  return out;
+}
+
+std::string blocks_material(const TempFolder& folder, const std::string& name, int width, int height,
+                            unsigned seed, unsigned noise) {
+  save_png(folder.file(name + "_diffuse.png"), waves(width, height, 3, seed, noise));
+  save_png(folder.file(name + "_specular.png"), waves(width, height, 3, seed + 1, noise));
+  save_png(folder.file(name + "_gloss.png"), waves(width, height, 1, seed + 2, noise));
+  return "{\"name\": \"" + name + "\", \"diffuse\": \"" + name + "_diffuse.png\", \"specular\": \"" + name +
+         "_specular.png\", \"gloss\": \"" + name + "_gloss.png\"}";
+}
+
+PackOptions in_blocks(Compression how, std::vector<std::string> formats = {"png", "ktx2", "dds"}) {
+  PackOptions out;
+  out.output.write.formats = std::move(formats);
+  out.output.compress.how = how;
+  return out;
+}
+
+TextureFile ktx2_page(const TempFolder& folder, const std::string& texture) {
+  return read_ktx2(slurp(folder.file("out/page0_" + texture + ".ktx2")), "page");
+}
+
+double delta_e_of(const std::uint8_t* a, const std::uint8_t* b) {
+  const auto lab = [](const std::uint8_t* code) {
+    return to_lab(
+        LinearRgb{srgb_decode(code[0] / 255.0), srgb_decode(code[1] / 255.0), srgb_decode(code[2] / 255.0)});
+  };
+  return delta_e2000(lab(a), lab(b));
+}
+
+// The value that 99 of 100 do not exceed.
+double percentile_99_of(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() - values.size() / 100 - 1];
+}
+
+}  // namespace
+
+TEST_CASE("KTX2 and DDS hold the same blocks, which change each material by what the report says") {
+  const TempFolder folder;
+  const std::string manifest =
+      manifest_of({blocks_material(folder, "a", 96, 64, 1, 3), blocks_material(folder, "b", 40, 72, 5, 9)});
+  const PackResult result = pack_text(folder, manifest, in_blocks(Compression::bc7));
+  const AtlasLayout layout = packed_layout(folder);
+  for (const std::string texture : {"diffuse_alpha", "specular_gloss"}) {
+    const TextureFile ktx2 = ktx2_page(folder, texture);
+    const TextureFile dds = read_dds(slurp(folder.file("out/page0_" + texture + ".dds")), "page");
+    CHECK(ktx2.blocks->code == BlockCode::bc7);
+    CHECK(dds.blocks == ktx2.blocks);
+    CHECK((ktx2.srgb && dds.srgb));
+    CHECK(dds.custom_alpha == (texture == "specular_gloss"));
+    CHECK(ktx2.levels == dds.levels);
+    CHECK(static_cast<int>(ktx2.levels.size()) == layout.levels);
+    const Image8 exact = load_png(folder.file("out/page0_" + texture + ".png"));
+    for (const BlockLevel& level : result.blocks) {
+      if (level.level != 0 || name(level.texture) != texture) continue;
+      CHECK(level.format == "BC7");
+      CHECK(level.shared == 0);
+      CHECK(8 * level.bytes == 8 * level.texels);
+      CHECK(level.materials.size() == 2);
+      for (const BlockMaterial& m : level.materials) {
+        CAPTURE(texture, m.id);
+        const AtlasRect& rect = rect_named(layout, m.id);
+        std::vector<double> colour, fourth;
+        for (int y = rect.y; y < rect.y + rect.height; ++y)
+          for (int x = rect.x; x < rect.x + rect.width; ++x) {
+            const auto from = exact.at(x, y), to = ktx2.levels[0].at(x, y);
+            colour.push_back(delta_e_of(from.data(), to.data()));
+            const double off = std::abs(from[3] - to[3]);
+            fourth.push_back(texture == "specular_gloss" ? 100 * (std::exp2(12 * off / 255) - 1)
+                                                         : 100 * off / 255);
+          }
+        CHECK(m.colour_p99 == Approx(percentile_99_of(colour)).margin(0.0101));
+        CHECK(m.fourth_p99 == Approx(percentile_99_of(fourth)).margin(0.101));
+        CHECK(m.colour_largest == Approx(*std::ranges::max_element(colour)).margin(1e-9));
+        CHECK(m.fourth_largest == Approx(*std::ranges::max_element(fourth)).margin(1e-9));
+        CHECK(m.met == (m.colour_p99 <= 1 && m.fourth_p99 <= (texture == "specular_gloss" ? 10 : 0.5)));
+      }
+    }
+  }
+  CHECK(result.totals->output[0].totals.gpu <
+        static_cast<std::uint64_t>(result.pages[0].width * result.pages[0].height * 3 / 2));
+}
+
+TEST_CASE("no block on a clean level holds texels of two regions, by layout.json alone") {
+  std::mt19937 random(9);
+  for (const int round : {0, 1, 2}) {
+    const TempFolder folder;
+    std::vector<std::string> entries;
+    for (int i = 0; i < 7; ++i) {
+      const auto side = [&] { return 20 + static_cast<int>(random() % 130); };
+      const int width = round == 2 ? 64 : side(), height = round == 2 ? 64 : side();
+      entries.push_back(blocks_material(folder, "m" + std::to_string(i), width, height,
+                                        static_cast<unsigned>(random() % 99), 2));
+    }
+    PackOptions options = in_blocks(Compression::bc7, {"ktx2"});
+    options.output.compress.budget = parse_block_budget("1000");  // where blocks lie is all that counts here
+    options.layout.rotate = round == 1;
+    if (round == 1) options.layout.gutter = 4;
+    const PackResult result = pack_text(folder, manifest_of(entries), options);
+    for (const BlockLevel& level : result.blocks) CHECK(level.shared == 0);
+    const AtlasLayout layout = packed_layout(folder);
+    std::map<std::tuple<int, int, int, int>, std::string> holder;  // of a block: page, level, column, row
+    std::size_t shared = 0, blocks = 0;
+    for (const AtlasRect& rect : layout.rects)
+      for (int level = 0; level < rect.mips; ++level) {
+        const int texel = 1 << level, block = 4 * texel;
+        const auto first = [&](int at) { return (at - rect.gutter) / block; };
+        const auto last = [&](int at, int size) {
+          return ((at + size + rect.gutter + texel - 1) / texel * texel - 1) / block;
+        };
+        for (int y = first(rect.y); y <= last(rect.y, rect.height); ++y)
+          for (int x = first(rect.x); x <= last(rect.x, rect.width); ++x, ++blocks)
+            shared += holder.try_emplace({rect.page, level, x, y}, rect.name).first->second != rect.name;
+      }
+    CAPTURE(round);
+    CHECK(blocks > 1000);
+    CHECK(shared == 0);
+  }
+}
+
+TEST_CASE("a texture by which a material misses the budget stays RGBA8, exactly, and the others do not") {
+  const TempFolder folder;
+  save_png(folder.file("n.png"), noise(64, 64, 1, 1));
+  const std::string entry = blocks_material(folder, "a", 64, 64, 1, 1);
+  const std::string wild =
+      "{\"name\": \"w\", \"diffuse\": \"a_diffuse.png\", \"specular\": "
+      "\"a_specular.png\", \"gloss\": \"n.png\"}";
+  const PackResult result = pack_text(folder, manifest_of({entry, wild}), in_blocks(Compression::automatic));
+  CHECK(ktx2_page(folder, "diffuse_alpha").blocks != nullptr);
+  const TextureFile kept = ktx2_page(folder, "specular_gloss");
+  CHECK(kept.blocks == nullptr);
+  CHECK(kept.levels[0] == load_png(folder.file("out/page0_specular_gloss.png")));
+  const auto level = std::ranges::find(result.blocks, Texture::specular_gloss, &BlockLevel::texture);
+  CHECK((level->fallback && level->format == "RGBA8"));
+  const auto missed = std::ranges::find(level->materials, std::string("w"), &BlockMaterial::id);
+  REQUIRE(missed != level->materials.end());
+  CHECK((!missed->met && missed->fourth_p99 > 10));
+  // Whoever wants blocks whatever they cost has them, and so has a budget that allows it.
+  PackOptions wide = in_blocks(Compression::automatic);
+  wide.output.compress.budget = parse_block_budget("1000");
+  for (const PackOptions& options : {in_blocks(Compression::bc7), wide}) {
+    (void)pack_text(folder, manifest_of({entry, wild}), options);
+    CHECK(ktx2_page(folder, "specular_gloss").blocks != nullptr);
+  }
+}
+
+TEST_CASE("blocks are the same for any number of threads, and a mask in blocks is exact") {
+  const TempFolder folder;
+  Image8 mask(64, 64, 1);
+  std::mt19937 random(4);
+  for (auto& each : mask.values) each = random() % 3 == 0 ? 0 : 255;
+  save_png(folder.file("mask.png"), mask);
+  std::string entry = blocks_material(folder, "a", 64, 64, 1, 6);
+  entry.insert(entry.size() - 1, R"(, "alpha": "mask.png", "alpha_mode": "mask")");
+  std::vector<std::string> files;
+  for (const unsigned threads : {1u, 3u}) {
+    PackOptions options = in_blocks(Compression::bc7, {"ktx2"});
+    options.run.threads = threads;
+    const PackResult result = pack_text(folder, manifest_of({entry}), options);
+    CHECK(result.blocks[0].materials[0].fourth_largest == 0);
+    files.push_back(slurp(folder.file("out/page0_diffuse_alpha.ktx2")));
+  }
+  CHECK(files[0] == files[1]);
+}
+
+TEST_CASE("a budget is a multiple of the usual one, or names its parts") {
+  CHECK(parse_block_budget("2") == BlockBudget{2, 2, 20, 1});
+  CHECK(parse_block_budget("gloss=5,alpha=1") == BlockBudget{1, 1, 5, 1});
+  for (const char* bad :
+       {"", "0", "-1", "nan", "gloss", "gloss=", "gloss=0", "gloss=1,gloss=2", "f0=1,", "g=1", "inf"})
+    CHECK(contains(error_of([&] { (void)parse_block_budget(bad); }), "each once"));
+}
+
+}  // namespace etak
