@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""reference_filter.py HEADER: prints a header with its comments in the form that doxygen reads.
+"""reference_filter.py SOURCE TARGET HEADER...: copies the headers, which are paths below SOURCE, to the same paths below
+TARGET, with their comments in the form that doxygen reads.
 
 The headers are written to be read as they are. For the reference,
   - the manual at the top of a header for users becomes the text of its page,
@@ -8,6 +9,7 @@ The headers are written to be read as they are. For the reference,
   - rows such as "  wavelength   nanometres in vacuum" become a table,
   - signs that doxygen would take as commands or tags are escaped.
 """
+import pathlib
 import re
 import sys
 
@@ -126,5 +128,7 @@ def filtered(source):
 
 
 if __name__ == "__main__":
-    with open(sys.argv[1], encoding="utf-8") as header:
-        sys.stdout.write(filtered(header.read()))
+    source, target = map(pathlib.Path, sys.argv[1:3])
+    for header in sys.argv[3:]:
+        (target / header).parent.mkdir(parents=True, exist_ok=True)
+        (target / header).write_text(filtered((source / header).read_text(encoding="utf-8")), encoding="utf-8")

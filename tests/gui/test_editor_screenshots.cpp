@@ -88,7 +88,7 @@ class EditorScreenshots : public QObject {
     for (const QString& state : states)
       for (const QString& theme : {QStringLiteral("dark"), QStringLiteral("light")})
         for (const QSize& size : {QSize(1280, 800), QSize(1920, 1080), QSize(2560, 1440)}) {
-          if (!all && size.width() == 1920) continue;
+          if (!all && (size.width() == 1920 || (states == few && size.width() > 1280))) continue;
           const bool main = state == QLatin1String("default"), large = size.width() > 2000;
           const bool own_theme = (theme == QLatin1String("dark")) == (states.indexOf(state) % 2 == 0);
           if (!all && (large ? !main || !own_theme : !main && !own_theme)) continue;

@@ -39,9 +39,12 @@ def run(*arguments):
 material, f0 = schema("material"), schema("f0")
 files = sorted(glob.glob(f"{source}/materials/**/*.json", recursive=True))
 assert len(files) >= 401, len(files)
+checked = {}
 for path in files:
     with open(path, encoding="utf-8") as file:
-        check(material, json.load(file), path)
+        document = json.load(file)
+    check(material, document, path)
+    checked[document["id"]] = document
 
 for path in glob.glob(f"{source}/resources/series/*.json"):
     with open(path, encoding="utf-8") as file:
@@ -77,7 +80,8 @@ show = schema("show")
 for name in ids:
     document = json.loads(run("show", name, "--format", "json"))
     check(show, document, f"show {name}")
-    check(material, document["material"], f"show {name}, material")
+    if document["material"] != checked[name]:
+        check(material, document["material"], f"show {name}, material")
     check(f0, document["f0"], f"show {name}, f0")
 
 calls = {

@@ -208,7 +208,9 @@ bool run_program(const std::vector<std::string>& words, const std::vector<std::s
 }
 
 void* open_library(const std::string& path) {
-  return ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  // What the library itself calls is found now, because it is linked so. Of the hundreds of libraries behind it most
+  // functions are never called.
+  return ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
 }
 
 void* library_symbol(void* library, const char* name) {

@@ -22,8 +22,8 @@ TEST_CASE("pages made slab by slab are the pages made at once") {
   bool some_slabs = true;
   SECTION("rows of regions, with their mips") {
     for (unsigned i = 0; i < 8; ++i) add("m" + std::to_string(i), 1024, 512, 10 * i);
-    options.layout.mips = GENERATE(1, 0, 3);
-    options.output.bleed = GENERATE(false, true);
+    std::tie(options.layout.mips, options.output.bleed) =
+        GENERATE(std::pair(1, false), std::pair(0, true), std::pair(3, true));
     options.layout.page = 2048;
   }
   SECTION("a region in several slabs") {
