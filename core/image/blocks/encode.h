@@ -10,17 +10,19 @@
 
 namespace etak {
 
+/// How much squared errors of red, green, blue and the fourth channel count, each 0 or more.
+using ChannelWeights = std::array<float, 4>;
+
 /// A block of 4 x 4 texels to compress.
-///   texels   RGBA codes, row by row from the top
-///   shares   how much the error of each texel counts, 0 or more; 0 for texels that nothing reads. All 0 counts as
-///            all 1
+///   texels    RGBA codes, row by row from the top
+///   shares    how much the error of each texel counts, 0 or more; 0 for texels that nothing reads. All 0 counts as
+///             all 1
+///   weights   of this block, by which those of BlockEncoding are multiplied
 struct BlockSource {
   BlockTexels texels{};
   std::array<float, 16> shares{};
+  ChannelWeights weights{1, 1, 1, 1};
 };
-
-/// How much squared errors of red, green, blue and the fourth channel count, each 0 or more.
-using ChannelWeights = std::array<float, 4>;
 
 /// How blocks are compressed.
 ///   code      bc4 (red alone), bc5 (red and green) or bc7

@@ -93,14 +93,20 @@ double BlockMeasure::fourth(std::uint8_t from, std::uint8_t to, int cutoff) cons
   return std::abs(from - to) / 2.55;
 }
 
-ChannelWeights BlockMeasure::weights() const {
-  // One code of red, green or blue alone is about so many dE of a middle colour; one of gloss is 3.3 % of the exponent.
-  constexpr std::array<double, 3> delta_e{0.25, 0.35, 0.2};
-  constexpr double gloss_percent = 3.3, alpha_percent = 1 / 2.55;
+ChannelWeights BlockMeasure::weights(const std::array<std::uint8_t, 4>& mean) const {
+  // What a code changes is looked up around the mean.
+  constexpr double alpha_percent = 1 / 2.55, least_delta_e = 0.05, most_gloss_percent = 30;
+  constexpr int step = 8;
   ChannelWeights out{};
   const auto squared = [](double x) { return static_cast<float>(x * x); };
-  for (std::size_t c = 0; c < 3; ++c) out[c] = squared(delta_e[c] / colour_budget_);
-  out[3] = squared((is_gloss_ ? gloss_percent : alpha_percent) / fourth_budget_);
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::array<std::uint8_t, 4> beside = mean;
+    beside[c] = static_cast<std::uint8_t>(mean[c] < 128 ? mean[c] + step : mean[c] - step);
+    out[c] = squared(std::max(least_delta_e, colour(mean, beside) / step) / colour_budget_);
+  }
+  const auto next = static_cast<std::uint8_t>(mean[3] < 255 ? mean[3] + 1 : 254);
+  out[3] = squared((is_gloss_ ? std::min(most_gloss_percent, fourth(mean[3], next, -1)) : alpha_percent) /
+                   fourth_budget_);
   return out;
 }
 

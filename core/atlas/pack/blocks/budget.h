@@ -45,8 +45,8 @@ class BlockMeasure {
 
   double colour_budget() const { return colour_budget_; }
   double fourth_budget() const { return fourth_budget_; }
-  /// Weights of channels by which blocks are made: about the squares of how many budgets one code is.
-  ChannelWeights weights() const;
+  /// Weights of channels for a block of about these codes: the squares of how many budgets one code is.
+  ChannelWeights weights(const std::array<std::uint8_t, 4>& mean) const;
 
  private:
   bool is_gloss_;

@@ -47,7 +47,7 @@ class LevelInBlocks {
     timed([&] {
       each_row([&](std::size_t row, unsigned) {
         std::vector<BlockSource> sources(across());
-        for (std::size_t x = 0; x < sources.size(); ++x) sources[x] = source(row * across() + x);
+        for (std::size_t x = 0; x < sources.size(); ++x) sources[x] = weighted(source(row * across() + x));
         encode_blocks(sources, how, block(row * across()));
       });
     });
@@ -86,7 +86,7 @@ class LevelInBlocks {
       constexpr std::size_t chunk = 64;
       parallel_chunks(bad.size(), job_.threads, chunk, [&](std::size_t begin, std::size_t end, unsigned) {
         std::vector<BlockSource> sources;
-        for (std::size_t i = begin; i < end; ++i) sources.push_back(source(bad[i]));
+        for (std::size_t i = begin; i < end; ++i) sources.push_back(weighted(source(bad[i])));
         std::vector<std::uint8_t> tried(bc7_bytes * sources.size());
         encode_blocks(sources, how, tried.data());
         for (std::size_t i = begin; i < end; ++i) {
@@ -152,6 +152,21 @@ class LevelInBlocks {
     return out;
   }
 
+  // The same with the weights of its channels.
+  BlockSource weighted(BlockSource block) const {
+    std::array<int, 4> sum{};
+    int count = 0;
+    for (std::size_t i = 0; i < block.texels.size(); ++i) {
+      if (block.shares[i] <= 0) continue;
+      ++count;
+      for (std::size_t c = 0; c < 4; ++c) sum[c] += block.texels[i][c];
+    }
+    std::array<std::uint8_t, 4> mean{};
+    for (std::size_t c = 0; c < 4 && count > 0; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / count);
+    block.weights = measure_.weights(mean);
+    return block;
+  }
+
   // The largest difference of a block that has an owner, in budgets.
   //   to   gets the differences; null: none
   double compare(std::size_t b, const std::uint8_t* bytes, Spreads* to) const {
@@ -188,15 +203,12 @@ class LevelInBlocks {
 };
 
 // What blocks are tried with in turn: more effort, then more weight on one side.
-std::vector<BlockEncoding> encodings(const CompressOptions& how, const ChannelWeights& weights) {
-  std::vector<BlockEncoding> out{{BlockCode::bc7, weights, how.effort}};
-  for (int effort = how.effort + 1; effort <= most_block_effort; ++effort)
-    out.push_back({BlockCode::bc7, weights, effort});
-  for (const float factor : {4.0f, 0.25f}) {
-    ChannelWeights other = weights;
-    other[3] *= factor;
-    out.push_back({BlockCode::bc7, other, std::min(most_block_effort, how.effort + 1)});
-  }
+std::vector<BlockEncoding> encodings(const CompressOptions& how) {
+  std::vector<BlockEncoding> out;
+  for (int effort = how.effort; effort <= most_block_effort; ++effort)
+    out.push_back({BlockCode::bc7, {1, 1, 1, 1}, effort});
+  for (const float fourth : {4.0f, 16.0f, 0.25f})
+    out.push_back({BlockCode::bc7, {1, 1, 1, fourth}, std::min(most_block_effort, how.effort + 1)});
   return out;
 }
 
@@ -209,7 +221,7 @@ std::vector<bool> missing(const LevelInBlocks& level, const ByMaterial& spreads)
 // Compresses a level and takes its bytes.
 BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int number, std::string& bytes) {
   LevelInBlocks level(job, measure, number);
-  const std::vector<BlockEncoding> tries = encodings(job.how, measure.weights());
+  const std::vector<BlockEncoding> tries = encodings(job.how);
   level.encode(tries[0]);
   ByMaterial spreads = level.measure();
   for (std::size_t t = 1; t < tries.size(); ++t) {
