@@ -169,6 +169,13 @@ void show_state(Window& window, const QString& state) {
          window.use_library_material("copper");
          window.inspector_tabs().setCurrentIndex(2);
        }},
+      {"engine",
+       [&] {
+         window.look().engine = "unity-urp";
+         window.look_changed();
+         window.inspector_tabs().setCurrentIndex(2);
+       }},
+      {"alone", [&] { window.show_viewport_only(true); }},
       {"wedge",
        [&] {
          edit_view(window, [](ProjectView& view) { view.wedge.on = true; });

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenuBar>
 #include <QPlainTextEdit>
 #include <QScreen>
 #include <QSettings>
@@ -307,7 +308,29 @@ void Window::go_to_finding(const QString& material, const QString& rule) {
   inspector_->go_to(rule.toStdString());
 }
 
+void Window::show_viewport_only(bool on) {
+  if (on == alone_) return;
+  auto* middle = findChild<QSplitter*>("middle");
+  if (on) {
+    beside_ = saveState();
+    below_ = middle->saveState();
+  }
+  alone_ = on;
+  // The keys of a hidden menu bar would do nothing.
+  menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX);
+  statusBar()->setVisible(!on);
+  tabs_->setVisible(!on);
+  if (on) {
+    for (QDockWidget* each : findChildren<QDockWidget*>()) each->hide();
+    viewport_->setFocus();
+  } else {
+    restoreState(beside_);
+    middle->restoreState(below_);
+  }
+}
+
 void Window::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && alone_) return show_viewport_only(false);
   if (event->key() == Qt::Key_Escape) return problems_->clear();
   if (event->key() == Qt::Key_Space) return viewport_->set_flipped(true);
   const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Down ? 1
@@ -353,6 +376,7 @@ void Window::restore() {
 
 void Window::remember() {
   if (!options_.remember) return;
+  show_viewport_only(false);
   QSettings settings;
   settings.setValue("window/geometry", saveGeometry());
   settings.setValue("window/state", saveState());

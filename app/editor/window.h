@@ -93,7 +93,11 @@ class Window : public QMainWindow {
   ///   ask   decides for each copy; empty: the user is asked
   bool offer_recovery(const std::function<RecoveryChoice(const Recovery&)>& ask = {});
   /// Whether files are read or written, an environment is computed, or a picture is in work.
-  bool is_busy() const { return busy_ > 0 || environment_coming_ || viewport_->is_drawing(); }
+  bool is_busy() const {
+    return busy_ > 0 || comparing_ > 0 || environment_coming_ || viewport_->is_drawing();
+  }
+  /// Shows the viewport alone, without menus, panels and tabs, or the window as it was before.
+  void show_viewport_only(bool on);
 
  signals:
   void opened(bool well);
@@ -192,6 +196,8 @@ class Window : public QMainWindow {
   void set_environment(const QString& path);
   void load_environment();
   void show_environment_work(bool on);
+  void show_difference();
+  void copy_command();
   void show_shader();
   void show_curves();
   void show_patch(const PatchUnderCursor& patch);
@@ -206,7 +212,11 @@ class Window : public QMainWindow {
   Look look_;
   Worker io_;  // files are read and written one after the other
   Worker heavy_;
+  Worker comparer_;  // compares engines with the exact material
   int busy_ = 0;
+  int comparison_ = 0, comparing_ = 0;  // number of the last comparison, and of the one in work; 0: none
+  bool alone_ = false;                  // the viewport is shown alone
+  QByteArray beside_, below_;           // panels and tabs as they were before
   bool seen_frame_ = false, patch_compares_ = false;
 
   Viewport* viewport_ = nullptr;

@@ -11,8 +11,10 @@
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
+#include "core/base/text/text.h"
 #include "core/exchange/engine_values.h"
 #include "core/exchange/export_values.h"
+#include "core/project/command_line.h"
 #include "core/project/project_export.h"
 
 namespace etak::editor {
@@ -108,6 +110,16 @@ void Window::copy_value(const EngineTarget& target) {
     for (const Change& change : values.changes) message += "; " + qt_text(one_line(change));
   });
   tell(failure.isEmpty() ? message : failure);
+}
+
+void Window::copy_command() {
+  const ProjectMaterial* m = look_.preview ? &*look_.preview : document_.material();
+  if (m == nullptr) return;
+  const CommandLine line = render_command(document_.project(), *m, look_.camera, look_.engine);
+  QApplication::clipboard()->setText(qt_text(line.text));
+  QString message = tr("Copied: %1").arg(qt_text(line.text));
+  if (!line.left_out.empty()) message += tr(". It does not say: %1").arg(qt_text(joined(line.left_out)));
+  tell(message);
 }
 
 void Window::fill_copy_menu(QMenu* menu) {

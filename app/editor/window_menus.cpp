@@ -103,6 +103,8 @@ void Window::make_edit_menu() {
   project_panel_->addAction(remove);
   menu->addSeparator();
   fill_copy_menu(submenu(menu, tr("&Copy value as")));
+  action(menu, tr("Copy as command &line"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
+         [this] { copy_command(); });
   menu->addSeparator();
   action(menu, tr("&Find in the library"), QKeySequence::Find, [this] {
     library_panel_->search().setFocus();
@@ -136,6 +138,7 @@ void Window::make_view_menu() {
   overlay(tr("&Energy overlay"), Qt::Key_2, &Look::energy_overlay);
   overlay(tr("Angle z&ones overlay"), Qt::Key_3, &Look::angle_overlay);
   menu->addSeparator();
+  action(menu, tr("View&port only"), QKeySequence(Qt::Key_F11), [this] { show_viewport_only(!alone_); });
   QMenu* panels = submenu(menu, tr("P&anels"));
   for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
   // The layout of a new window, saved before a remembered layout replaces it.

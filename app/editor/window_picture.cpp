@@ -19,6 +19,7 @@
 #include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
 #include "core/image/load.h"
+#include "core/render/engines.h"
 #include "core/render/ground_bounce.h"
 
 namespace etak::editor {
@@ -180,7 +181,39 @@ void Window::refresh() {
   if (!texture_view_->is_waiting() || !look_.textured || look_.preview)
     viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()),
                          qobject_cast<const QAbstractSlider*>(focusWidget()));
+  show_difference();
   show_curves();
+}
+
+// Of several requests in a row, the last one counts.
+void Window::show_difference() {
+  const Engine* engine = find_engine(look_.engine);
+  comparer_.clear();
+  comparing_ = 0;
+  if (engine == nullptr) return view_panel_->show_difference(nullptr);
+  Look own = look_;
+  own.engine.clear();
+  ViewState state = view_state_of(document_, own, environment_, texture_view_->textures());
+  state.split = false;
+  state.tone = engine->tone;
+  if (state.shape == ViewShape::wedge) state.shape = ViewShape::sphere;
+  constexpr int side = 160;
+  comparing_ = ++comparison_;
+  in_background(
+      comparer_, this,
+      [engine, state] {
+        DifferencePicture out;
+        (void)failure_of([&] {
+          const Scene scene = view_tiles(state, side, side).front().scene;
+          out = engine_difference(*engine, scene, state.environment.get(), 1);
+        });
+        return out;
+      },
+      [this, number = comparison_](const DifferencePicture& difference) {
+        if (number != comparing_) return;
+        comparing_ = 0;
+        view_panel_->show_difference(difference.map.width > 0 ? &difference : nullptr);
+      });
 }
 
 void Window::set_environment(const QString& path) {

@@ -73,6 +73,17 @@ Scene shown_as(const Engine& engine, Scene scene, std::vector<ClampedValue>& cha
   return scene;
 }
 
+ViewSide shown_as(const Engine& engine, ViewSide side) {
+  std::vector<ClampedValue> changed;
+  const bool metal = is_metal(side.surface);
+  side.surface = held_by(engine, side.surface, changed);
+  side.specular = find_model(engine.model);
+  side.diffuse = nullptr;
+  side.overrides.clear();
+  if (metal && side.specular->parameters.back().name == "metallic") side.overrides = {{"metallic", 1}};
+  return side;
+}
+
 Scene exact_scene(Scene scene) {
   const Model* exact = find_model(scene.textured().f0 ? "ggx-schlick-compensated" : "ggx-exact-compensated");
   FittedModels fitted = fit_models(exact, find_model(default_diffuse), {}, scene.surface);

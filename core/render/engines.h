@@ -8,6 +8,7 @@
 
 #include "core/render/scene.h"
 #include "core/render/sheet.h"
+#include "core/render/view_state.h"
 
 namespace etak {
 
@@ -37,6 +38,9 @@ SurfaceValues held_by(const Engine& engine, SurfaceValues surface, std::vector<C
 
 /// The scene as the engine shows it; its tone curve where the scene has none.
 Scene shown_as(const Engine& engine, Scene scene, std::vector<ClampedValue>& changed);
+
+/// A side of a viewport as the engine shows it.
+ViewSide shown_as(const Engine& engine, ViewSide side);
 
 /// The scene with the exact material: GGX, Fresnel's equations or the curve of its layers, Smith and light between facets, and
 /// Lambert. Where F0 follows a texture, whose n and k nobody knows, Fresnel is Schlick's.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the window shows is right and can be read: names, tooltips, paths, searches, findings, the first
 // window.
+#include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
@@ -8,6 +9,7 @@
 #include <QStandardItemModel>
 #include <QTabWidget>
 #include <QTreeView>
+#include <algorithm>
 
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
@@ -55,6 +57,54 @@ class EditorShown : public QObject {
     }
     QTest::keyClick(&library.list(), Qt::Key_Return);
     QCOMPARE(window->document().material()->measured->material, std::string("water"));
+  }
+
+  void an_engine_is_shown_by_its_model_with_the_difference_and_changes_no_material() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    show_active(window);
+    const int steps = window->document().undo_stack().count();
+    QComboBox* engine = nullptr;
+    for (QComboBox* each : window->view_panel().findChildren<QComboBox*>())
+      if (each->accessibleName() == QLatin1String("Engine")) engine = each;
+    QVERIFY(engine != nullptr);
+    QLabel* told = nullptr;
+    for (QLabel* each : window->view_panel().findChildren<QLabel*>())
+      if (each->accessibleName() == QLatin1String("Difference to the exact material")) told = each;
+    QVERIFY(told != nullptr);
+    const auto choose = [&](const QString& title) {
+      engine->setCurrentIndex(engine->findText(title));
+      emit engine->activated(engine->currentIndex());
+    };
+    choose(QStringLiteral("Unity HDRP"));
+    QVERIFY(QTest::qWaitFor([&] { return told->text().startsWith(QLatin1String("dE2000")); }, 60000));
+    QCOMPARE(window->viewport().state().a.specular->id, std::string_view("as-unity-hdrp"));
+    choose(QStringLiteral("its own models"));
+    QVERIFY(QTest::qWaitFor(
+        [&] { return window->viewport().state().a.specular->id != std::string_view("as-unity-hdrp"); },
+        60000));
+    QVERIFY(!told->text().startsWith(QLatin1String("dE2000")));
+    QCOMPARE(window->document().undo_stack().count(), steps);
+  }
+
+  void the_viewport_is_shown_alone_until_esc_and_a_material_is_copied_as_a_command() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    show_active(window);
+    const auto shown = [&] {
+      const auto docks = window->findChildren<QDockWidget*>();
+      return std::count_if(docks.begin(), docks.end(),
+                           [](const QDockWidget* each) { return each->isVisible(); });
+    };
+    const auto before = shown();
+    action_named(*window.window, QStringLiteral("Viewport only"))->trigger();
+    QCOMPARE(shown(), 0);
+    QVERIFY(!window->tabs().isVisible());
+    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
+    QCOMPARE(shown(), before);
+    QVERIFY(window->tabs().isVisible());
+    action_named(*window.window, QStringLiteral("Copy as command line"))->trigger();
+    QVERIFY(QApplication::clipboard()->text().startsWith(QLatin1String("etak render gold ")));
   }
 
   // Two black bodies, a moulded plastic and a pigment: what tells their pictures apart is their roughness.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/document/look.h"
 
+#include "core/render/engines.h"
+
 namespace etak::editor {
 namespace {
 
@@ -78,6 +80,11 @@ ViewState view_state_of(const Document& document, const Look& look,
   for (ViewSide* side : {&out.a, &out.b})
     if (side->textures && side->textures->has.emission) side->surface.emission = vec(m.emission);
   out.split = view.compare.on;
+  const Engine* engine = find_engine(look.engine);
+  if (engine != nullptr) {
+    out.a = shown_as(*engine, std::move(out.a));
+    if (&m != &nothing) out.a.label = m.name + ", " + std::string(out.a.specular->title);
+  }
   if (out.split) {
     out.a.label.insert(0, "A: ");
     out.b.label.insert(0, "B: ");
@@ -96,7 +103,7 @@ ViewState view_state_of(const Document& document, const Look& look,
   out.ocio_config = view.config;
   out.ocio_display = view.display;
   out.ocio_view = view.view;
-  out.tone = view.tone;
+  out.tone = engine != nullptr ? engine->tone : view.tone;
   out.background = vec(view.background);
   out.backdrop = view.backdrop;
   out.zone_overlay = look.zone_overlay;

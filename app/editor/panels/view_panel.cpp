@@ -10,6 +10,7 @@
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/model_list.h"
 #include "app/viewport/background.h"
+#include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"
 #include "core/color/ocio.h"
 #include "core/light/rows.h"
@@ -51,6 +52,7 @@ ViewPanel::ViewPanel(Document& document, Look& look, QWidget* parent)
         change(look_);
         emit look_changed();
       }) {
+  make_engine();
   make_display();
   make_backdrop();
   make_shape();
@@ -59,6 +61,46 @@ ViewPanel::ViewPanel(Document& document, Look& look, QWidget* parent)
   connect(&document, &Document::view_changed, this, &ViewPanel::show_look);
   connect(&document, &Document::replaced, this, &ViewPanel::show_look);
   show_look();
+}
+
+void ViewPanel::make_engine() {
+  QStringList titles{tr("its own models")};
+  for (const Engine& each : engines()) titles << qt_text(each.title);
+  Section& section = add_section(tr("As in engine"));
+  overlays_.in(section).choice(
+      {tr("Engine"), tr("As in"),
+       tr("Shows model, roughness, light from all around and tone curve as the engine publishes them, and how far that is from the exact material")},
+      titles,
+      Computed{[](const Look& look) {
+                 const Engine* engine = find_engine(look.engine);
+                 return engine == nullptr ? 0 : static_cast<int>(engine - engines().data()) + 1;
+               },
+               [](Look& look, int row) {
+                 look.engine = row <= 0 ? "" : engines()[static_cast<std::size_t>(row - 1)].id;
+               }});
+  difference_ = quiet_label(tr("Difference to the exact material"), &section);
+  section.add(difference_);
+  difference_map_ = new QLabel(&section);
+  difference_map_->setAccessibleName(tr("Difference to the exact material, in colour"));
+  difference_map_->setToolTip(tr("dE2000 of each place: black 0, violet, orange, pale yellow 10 and more"));
+  section.add(difference_map_);
+  show_difference(nullptr);
+}
+
+void ViewPanel::show_difference(const DifferencePicture* difference) {
+  const Engine* engine = find_engine(look_.engine);
+  const bool shown = difference != nullptr && engine != nullptr;
+  difference_map_->setVisible(shown);
+  QString text = tr("Whatever is chosen changes no material");
+  if (shown) {
+    difference_map_->setPixmap(QPixmap::fromImage(qt_image(to_codes(difference->map, 1, Transfer::srgb))));
+    text = tr("dE2000 to the exact material: mean %1, largest %2. %3")
+               .arg(difference->mean_de, 0, 'g', 3)
+               .arg(difference->max_de, 0, 'g', 3)
+               .arg(qt_text(engine->source));
+    if (!engine->not_drawn.empty()) text += tr(". Not drawn: %1").arg(qt_text(engine->not_drawn));
+  }
+  difference_->setText(text);
 }
 
 void ViewPanel::make_display() {

@@ -4,6 +4,7 @@
 #include "app/editor/document/look.h"
 #include "app/editor/panels/fields_of.h"
 #include "app/viewport/background.h"
+#include "core/render/engines.h"
 
 namespace etak::editor {
 
@@ -24,6 +25,8 @@ class ViewPanel : public PanelScroll {
   void show_look();
   /// Shows the viewport's text about the patch under the cursor.
   void show_patch(const QString& text);
+  /// Shows how far the engine is from the exact material. Null: nothing.
+  void show_difference(const DifferencePicture* difference);
 
  signals:
   void look_changed();
@@ -34,6 +37,7 @@ class ViewPanel : public PanelScroll {
   void make_backdrop();
   void make_shape();
   void make_compare();
+  void make_engine();
   struct ReadDisplays;
   static ReadDisplays read_displays(const std::string& config);
   void fill_displays();
@@ -45,7 +49,7 @@ class ViewPanel : public PanelScroll {
   FieldsOf<ProjectView> view_;
   FieldsOf<Look> overlays_;
   QuietComboBox *display_ = nullptr, *view_of_display_ = nullptr;
-  QLabel *patch_ = nullptr, *config_ = nullptr;
+  QLabel *patch_ = nullptr, *config_ = nullptr, *difference_ = nullptr, *difference_map_ = nullptr;
   Worker pool_;
   std::string filled_config_ = "?";
 };
