@@ -53,7 +53,7 @@ void fresnel_into(const FresnelForm* form, const DatasetOf& found, const F0Optio
   if (const F0Result f0 = F0Solver(options).solve(found.dataset().optics); f0.refused())
     throw Error::at(found.label(), "refused: " + f0.refusal);
   if (form == nullptr) {
-    const SeenFresnel seen(*constants, found.label(), options);
+    const SeenStack seen(*constants, options, Method::nm1, found.label());
     return fill(at, work, [&](double c) { return seen(c); });
   }
   constexpr double step_deg = 0.25;

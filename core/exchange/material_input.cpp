@@ -34,13 +34,15 @@ MaterialInput file_input(std::string path, MaterialFileKind kind, const InputNam
   return out;
 }
 
-// Part of a stack: a file where the name ends like one, else a name of the library.
-StackPart stack_part(const LibraryWhenAsked& library, std::string_view name, const std::string& place) {
-  const MaterialFileKind kind = material_file_kind(name);
-  if (kind == MaterialFileKind::none) return library_part(library(), name, place);
-  Material material = read_material_file(std::string(name), kind);
-  const std::size_t preferred = material.preferred;
-  return {{std::move(material), preferred}, true, std::string(name)};
+// Parts of a stack: a file where the name ends like one, else a name of the library.
+FindStackPart stack_parts(const LibraryWhenAsked& library) {
+  return [&library](std::string_view name, const std::string& place) -> StackPart {
+    const MaterialFileKind kind = material_file_kind(name);
+    if (kind == MaterialFileKind::none) return library_part(library(), name, place);
+    Material material = read_material_file(std::string(name), kind);
+    const std::size_t preferred = material.preferred;
+    return {{std::move(material), preferred}, true, std::string(name)};
+  };
 }
 
 void add_folder(const std::string& path, const InputNames& asked, const LibraryWhenAsked& library,
@@ -136,12 +138,8 @@ void add_name(const std::string& name, const InputNames& asked, const LibraryWhe
               unsigned threads, std::vector<std::string>* remarks, std::vector<MaterialInput>& out) {
   sys::FileInfo info;
   const bool exists = sys::file_info(name, info);
-  if (!exists && is_stack_text(name)) {
-    const auto part = [&](std::string_view medium, const std::string& place) {
-      return stack_part(library, medium, place);
-    };
-    return add_datasets(stack_material(name, part), asked.dataset, asked, name, {}, out);
-  }
+  if (!exists && is_stack_text(name))
+    return add_datasets(stack_material(name, stack_parts(library)), asked.dataset, asked, name, {}, out);
   const MaterialFileKind kind = material_file_kind(name);
   const bool pipe = is_pipe_input(name);
   const bool path_like = std::filesystem::path(name).has_root_path() || name.starts_with('.') ||
@@ -207,10 +205,7 @@ bool is_prose(const MaterialInput& input, std::string_view head) {
 }
 
 void open_stacks(Material& material, const MaterialInput& input) {
-  if (!input.library) return;
-  open_stacks(material, input.path, [&](std::string_view name, const std::string& place) {
-    return stack_part(input.library, name, place);
-  });
+  if (input.library) open_stacks(material, input.path, stack_parts(input.library));
 }
 
 Material read_material(const MaterialInput& input, const TableOptions& tables, std::string_view id) {

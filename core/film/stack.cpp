@@ -30,19 +30,19 @@ struct Waves {
 
 // The amplitudes that coherent layers reflect and let pass of light from the first medium. Amplitudes that pass are those
 // of the field that the polarisation's N cos or cos / N belongs to, so that T = Re(last) / Re(first) times the square.
-std::pair<FilmPair, FilmPair> amplitudes(const Waves& all, bool reversed) {
-  const std::size_t last = all.waves.size() - 1;
-  const auto wave = [&](std::size_t i) -> const FilmWave& { return all.waves[reversed ? last - i : i]; };
+std::pair<FilmPair, FilmPair> amplitudes(const Waves& all) {
+  const std::vector<FilmWave>& wave = all.waves;
+  const std::size_t last = wave.size() - 1;
   const auto passing = [](const Complex& a, const Complex& b) {
     return complex_quotient({2 * a.re, 2 * a.im}, complex_sum(a, b));
   };
-  FilmPair r = film_interface(wave(last - 1), wave(last));
-  FilmPair t{passing(wave(last - 1).s, wave(last).s), passing(wave(last - 1).p, wave(last).p)};
+  FilmPair r = film_interface(wave[last - 1], wave[last]);
+  FilmPair t{passing(wave[last - 1].s, wave[last].s), passing(wave[last - 1].p, wave[last].p)};
   for (std::size_t j = last - 1; j > 0; --j) {
-    const FilmWave& layer = wave(j);
-    const double turns = all.turns[reversed ? last - 1 - j : j - 1];
+    const FilmWave& layer = wave[j];
+    const double turns = all.turns[j - 1];
     const Complex way = film_way_back(layer.s, turns), once = film_way_back(layer.s, turns / 2);
-    const FilmPair upper = film_interface(wave(j - 1), layer);
+    const FilmPair upper = film_interface(wave[j - 1], layer);
     const FilmPair back = film_back(r, way);
     const auto pass = [&](const Complex& entering, const Complex& above, const Complex& from_below,
                           const Complex& next) {
@@ -50,8 +50,8 @@ std::pair<FilmPair, FilmPair> amplitudes(const Waves& all, bool reversed) {
       under.re += 1;
       return complex_quotient(complex_product(complex_product(entering, next), once), under);
     };
-    t = {pass(passing(wave(j - 1).s, layer.s), upper.s, back.s, t.s),
-         pass(passing(wave(j - 1).p, layer.p), upper.p, back.p, t.p)};
+    t = {pass(passing(wave[j - 1].s, layer.s), upper.s, back.s, t.s),
+         pass(passing(wave[j - 1].p, layer.p), upper.p, back.p, t.p)};
     r = film_seen(upper, back);
   }
   return {r, t};
@@ -107,9 +107,6 @@ void validate(const Film& film, std::string_view place) {
 FilmLight film_light(const Film& film, double wavelength_nm, double cosine) {
   if (cosine == 0) return {{1, 1}, {0, 0}};
   const auto wave_in = [&](const FilmMedium& m) { return text::film_wave(film.outside, cosine, m.n, m.k); };
-  const auto turns_of = [&](const FilmLayer& layer) {
-    return 2 * std::numbers::pi * layer.thickness_nm / wavelength_nm;
-  };
   const FilmWave base = wave_in(film.base), outside = wave_in({film.outside, 0});
   // From the base up, a run of coherent layers at a time.
   Intensity s{0, 1}, p{0, 1};
@@ -117,30 +114,31 @@ FilmLight film_light(const Film& film, double wavelength_nm, double cosine) {
   bool on_base = true;
   Waves run{{base}, {}};
   const auto finish = [&] {
+    const auto [r_up, t_up] = on_base ? std::pair<FilmPair, FilmPair>() : amplitudes(run);
     std::reverse(run.waves.begin(), run.waves.end());
     std::reverse(run.turns.begin(), run.turns.end());
-    const auto [r, t] = amplitudes(run, false);
+    const auto [r, t] = amplitudes(run);
     if (on_base) {
       s = {complex_square(r.s), complex_square(t.s)};
       p = {complex_square(r.p), complex_square(t.p)};
       return;
     }
-    const auto [r_up, t_up] = amplitudes(run, true);
     s = over_thick(r.s, t.s, r_up.s, t_up.s, s, keeps);
     p = over_thick(r.p, t.p, r_up.p, t_up.p, p, keeps);
   };
   for (std::size_t i = film.layers.size(); i-- > 0;) {
     const FilmLayer& layer = film.layers[i];
     const FilmWave wave = wave_in(layer.medium);
+    const double turns = 2 * std::numbers::pi * layer.thickness_nm / wavelength_nm;
     run.waves.push_back(wave);
     // A wave that decays more than it turns has no phase that could get out of step.
     if (layer.coherent || wave.s.im > wave.s.re) {
-      run.turns.push_back(turns_of(layer));
+      run.turns.push_back(turns);
       continue;
     }
     finish();
     on_base = false;
-    keeps = std::exp(-2 * turns_of(layer) * wave.s.im);
+    keeps = std::exp(-2 * turns * wave.s.im);
     run = {{wave}, {}};
   }
   run.waves.push_back(outside);

@@ -12,33 +12,28 @@ struct Complex {
   real im;
 };
 
+Complex complex_of(real re, real im) {
+  Complex number;
+  number.re = re;
+  number.im = im;
+  return number;
+}
+
 Complex complex_product(Complex a, Complex b) {
-  Complex product;
-  product.re = a.re * b.re - a.im * b.im;
-  product.im = a.re * b.im + a.im * b.re;
-  return product;
+  return complex_of(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
 }
 
 Complex complex_sum(Complex a, Complex b) {
-  Complex sum;
-  sum.re = a.re + b.re;
-  sum.im = a.im + b.im;
-  return sum;
+  return complex_of(a.re + b.re, a.im + b.im);
 }
 
 Complex complex_difference(Complex a, Complex b) {
-  Complex difference;
-  difference.re = a.re - b.re;
-  difference.im = a.im - b.im;
-  return difference;
+  return complex_of(a.re - b.re, a.im - b.im);
 }
 
 Complex complex_quotient(Complex a, Complex b) {
   real inverse = 1 / max(b.re * b.re + b.im * b.im, tiny);
-  Complex quotient;
-  quotient.re = (a.re * b.re + a.im * b.im) * inverse;
-  quotient.im = (a.im * b.re - a.re * b.im) * inverse;
-  return quotient;
+  return complex_of((a.re * b.re + a.im * b.im) * inverse, (a.im * b.re - a.re * b.im) * inverse);
 }
 
 real complex_square(Complex a) {
@@ -62,8 +57,7 @@ struct FilmWave {
 // n^2 - k^2 - q, at grazing angles (n - n0)(n + n0) - k^2 + (n0 c)^2.
 FilmWave film_wave(real n0, real c, real n, real k) {
   FilmWave wave;
-  wave.index.re = n;
-  wave.index.im = k;
+  wave.index = complex_of(n, k);
   wave.q = n0 * n0 * ((1 - c) * (1 + c));
   real grazing = n0 * c * (n0 * c);
   real excess = (n - n0) * (n + n0);
@@ -73,11 +67,9 @@ FilmWave film_wave(real n0, real c, real n, real k) {
   real y = 2 * n * k;
   real big = sqrt((sqrt(x * x + y * y) + abs(x)) / 2);
   real small = y / (2 * max(big, tiny));
-  wave.s.re = x < 0 ? small : big;
-  wave.s.im = x < 0 ? big : small;
+  wave.s = complex_of(x < 0 ? small : big, x < 0 ? big : small);
   real inverse = 1 / max(n * n + k * k, tiny);
-  wave.w.re = (n - k) * (n + k) * inverse * inverse;
-  wave.w.im = -y * inverse * inverse;
+  wave.w = complex_of((n - k) * (n + k) * inverse * inverse, -y * inverse * inverse);
   wave.p = complex_product(wave.s, wave.w);
   return wave;
 }
@@ -94,9 +86,7 @@ FilmPair film_interface(FilmWave a, FilmWave b) {
   Complex squares = complex_product(complex_difference(a.index, b.index), complex_sum(a.index, b.index));
   Complex s = complex_sum(a.s, b.s);
   Complex p = complex_sum(a.p, b.p);
-  Complex brewster;
-  brewster.re = a.q * (a.w.re + b.w.re) - 1;
-  brewster.im = a.q * (a.w.im + b.w.im);
+  Complex brewster = complex_of(a.q * (a.w.re + b.w.re) - 1, a.q * (a.w.im + b.w.im));
   FilmPair r;
   r.s = complex_quotient(complex_quotient(squares, s), s);
   r.p = complex_product(complex_quotient(complex_product(squares, a.w), p),
@@ -110,10 +100,7 @@ FilmPair film_interface(FilmWave a, FilmWave b) {
 Complex film_way_back(Complex s, real turns) {
   real decay = exp(-2 * turns * s.im);
   real angle = 2 * turns * s.re;
-  Complex way;
-  way.re = decay * cos(angle);
-  way.im = decay * sin(angle);
-  return way;
+  return complex_of(decay * cos(angle), decay * sin(angle));
 }
 
 // The amplitude that is seen above an interface that reflects `above`, where `back` comes back to its lower side.
@@ -157,8 +144,7 @@ struct FilmStack {
 FilmStack film_on(real n0, real c, real n, real k) {
   FilmStack stack;
   stack.top = film_wave(n0, c, n, k);
-  stack.back.s.re = 0;
-  stack.back.s.im = 0;
+  stack.back.s = complex_of(real(0), real(0));
   stack.back.p = stack.back.s;
   return stack;
 }

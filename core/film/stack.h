@@ -10,28 +10,31 @@ namespace etak {
 // Exact reflectance of homogeneous, flat layers on a base under a medium that does not absorb, at one wavelength
 // (Film) or over a spectrum (FilmSpectra). The formulas are in stack.glsl.
 
-/// n + i k of a medium, absolute and not relative to the outside: n in [0, 1e4], k in [0, 1e6], not both 0.
-struct FilmMedium {
-  double n = 1, k = 0;
-};
-
-/// A layer.
-///   thickness_nm   finite, 0 and above
-///   coherent       whether light that is reflected at its two sides interferes. A layer that is thicker than the light
-///                  stays in step (a pane, a coat of varnish) shows no interference: its intensities are added
-struct FilmLayer {
-  FilmMedium medium;
-  double thickness_nm = 0;
-  bool coherent = true;
-};
-
 /// Layers on a base, numbered from the outside.
+///   Number    of one wavelength, or a span with one for each
 ///   outside   index of the medium in front, above 0
-struct Film {
-  double outside = 1;
-  std::vector<FilmLayer> layers;
-  FilmMedium base;
+template <class Number>
+struct LayersOn {
+  /// n + i k, absolute and not relative to the outside: n in [0, 1e4], k in [0, 1e6], not both 0.
+  struct Medium {
+    Number n{}, k{};
+  };
+  ///   thickness_nm   finite, 0 and above
+  ///   coherent       whether light that is reflected at its two sides interferes. A layer that is thicker than the light
+  ///                  stays in step (a pane, a coat of varnish) shows no interference: its intensities are added
+  struct Layer {
+    Medium medium;
+    double thickness_nm = 0;
+    bool coherent = true;
+  };
+  Number outside{};
+  std::vector<Layer> layers;
+  Medium base;
 };
+
+using Film = LayersOn<double>;
+using FilmMedium = Film::Medium;
+using FilmLayer = Film::Layer;
 
 /// Shares of light that is polarised across (s) and along (p) the plane of incidence.
 struct FilmShares {
@@ -54,21 +57,9 @@ void validate(const Film& film, std::string_view place);
 ///                   below 1e-15 absolute; thicker: 1e-15 (1 + 2 pi |N| d / wavelength, summed over the layers)
 FilmLight film_light(const Film& film, double wavelength_nm, double cosine);
 
-/// A film over a spectrum: arrays of one length, a number for each wavelength.
-struct FilmSpectra {
-  /// n and k of a medium; an empty k is 0 everywhere.
-  struct Medium {
-    std::span<const double> n, k;
-  };
-  /// A layer, as FilmLayer has it.
-  struct Layer {
-    Medium medium;
-    double thickness_nm = 0;
-    bool coherent = true;
-  };
-  std::span<const double> wavelength_nm, outside;
-  std::vector<Layer> layers;
-  Medium base;
+/// A film over a spectrum: arrays of one length, but that an empty k is 0 everywhere.
+struct FilmSpectra : LayersOn<std::span<const double>> {
+  std::span<const double> wavelength_nm;
 };
 
 /// The film at the wavelength of that index.

@@ -16,24 +16,17 @@ Complex naive_step(real n0, real c, real n, real k) {
   real re = n * n - k * k - n0 * n0 * (1 - c * c);
   real im = 2 * n * k;
   real size = sqrt(re * re + im * im);
-  Complex step;
-  step.re = sqrt(max((size + re) / 2, real(0)));
-  step.im = sqrt(max((size - re) / 2, real(0)));
-  return step;
+  return complex_of(sqrt(max((size + re) / 2, real(0))), sqrt(max((size - re) / 2, real(0))));
 }
 
 // N / cos of a medium.
 Complex naive_slope(Complex step, real n, real k) {
-  Complex square;
-  square.re = n * n - k * k;
-  square.im = 2 * n * k;
-  return complex_quotient(square, step);
+  return complex_quotient(complex_of(n * n - k * k, 2 * n * k), step);
 }
 
 NaiveStack naive_on(real n0, real c, real n, real k) {
   NaiveStack stack;
-  stack.e_s.re = 1;
-  stack.e_s.im = 0;
+  stack.e_s = complex_of(real(1), real(0));
   stack.e_p = stack.e_s;
   stack.h_s = naive_step(n0, c, n, k);
   stack.h_p = naive_slope(stack.h_s, n, k);
@@ -46,12 +39,8 @@ NaiveStack naive_over(NaiveStack under, real n0, real c, real n, real k, real tu
   real grows = exp(turns * step.im);
   real cosine_h = (grows + 1 / grows) / 2;
   real sine_h = (grows - 1 / grows) / 2;
-  Complex cosine;
-  cosine.re = cos(turns * step.re) * cosine_h;
-  cosine.im = -sin(turns * step.re) * sine_h;
-  Complex sine;  // times -i
-  sine.re = cos(turns * step.re) * sine_h;
-  sine.im = -sin(turns * step.re) * cosine_h;
+  Complex cosine = complex_of(cos(turns * step.re) * cosine_h, -sin(turns * step.re) * sine_h);
+  Complex sine = complex_of(cos(turns * step.re) * sine_h, -sin(turns * step.re) * cosine_h);  // times -i
   NaiveStack stack;
   stack.e_s = complex_sum(complex_product(cosine, under.e_s), complex_quotient(complex_product(sine, under.h_s), step));
   stack.h_s = complex_sum(complex_product(complex_product(sine, step), under.e_s), complex_product(cosine, under.h_s));
@@ -61,9 +50,7 @@ NaiveStack naive_over(NaiveStack under, real n0, real c, real n, real k, real tu
 }
 
 real naive_seen(Complex e, Complex h, real y) {
-  Complex in_front;
-  in_front.re = e.re * y;
-  in_front.im = e.im * y;
+  Complex in_front = complex_of(e.re * y, e.im * y);
   return complex_square(complex_quotient(complex_difference(in_front, h), complex_sum(in_front, h)));
 }
 

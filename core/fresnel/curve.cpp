@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <valarray>
 
 #include "core/color/delta_e.h"
+#include "core/math/solve.h"
 
 namespace etak {
 namespace {
@@ -17,7 +19,7 @@ namespace text {
 }  // namespace text
 
 constexpr std::size_t count = FresnelCurve::count, samples = 64;
-using Row = std::array<double, samples>;
+using Row = std::valarray<double>;
 
 // Square roots of cosines, denser towards both ends, where a curve has no neighbours to hold it.
 double root_of(std::size_t sample) {
@@ -27,7 +29,8 @@ double root_of(std::size_t sample) {
 // What each colour takes of each sample: the solution of the normal equations. Grazing and normal incidence, which
 // everybody looks at, weigh ten times as much as the others.
 std::array<Row, count> shares_of_samples() {
-  std::array<Row, count> shares{};
+  std::array<Row, count> shares;
+  shares.fill(Row(samples));
   std::array<std::array<double, count>, count> normal{};
   for (std::size_t m = 0; m < samples; ++m) {
     const double x = 1 + 13 * root_of(m), weight = m == 0 || m + 1 == samples ? 10 : 1;
@@ -37,16 +40,7 @@ std::array<Row, count> shares_of_samples() {
         normal[i][j] += shares[i][m] * text::curve_weight(x - double(j));
     }
   }
-  // The matrix is positive definite and has a band: elimination needs no pivots.
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < count; ++k) {
-      if (k == i || normal[k][i] == 0) continue;
-      const double factor = normal[k][i] / normal[i][i];
-      for (std::size_t j = i; j < count; ++j) normal[k][j] -= factor * normal[i][j];
-      for (std::size_t m = 0; m < samples; ++m) shares[k][m] -= factor * shares[i][m];
-    }
-  for (std::size_t i = 0; i < count; ++i)
-    for (double& each : shares[i]) each /= normal[i][i];
+  solve_definite(normal, shares, count);
   return shares;
 }
 
@@ -68,9 +62,7 @@ FresnelCurve fitted_curve(const std::function<Vec3(double)>& seen) {
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t c = 0; c < 3; ++c) out.colors[i][c] += shares[i][m] * value[c];
   }
-  const FresnelDifference off = fresnel_difference([&](double cosine) { return out.at(cosine); }, seen);
-  out.error = off.de2000;
-  out.at_deg = off.at_deg;
+  out.off = fresnel_difference([&](double cosine) { return out.at(cosine); }, seen);
   return out;
 }
 

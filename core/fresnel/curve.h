@@ -9,14 +9,19 @@
 
 namespace etak {
 
+/// The largest CIEDE2000 between two forms of F, D65, looked for at 97 even steps of the square root of the cosine, and
+/// where it is.
+struct FresnelDifference {
+  double de2000 = 0, at_deg = 0;
+  friend bool operator==(const FresnelDifference&, const FresnelDifference&) = default;
+};
+
 /// F over the angle of incidence as a curve through colours (core/fresnel/curve.glsl), linear sRGB.
-///   error    the largest CIEDE2000 between the curve and what it was fitted to, D65; looked for at 97 even steps of the
-///            square root of the cosine
-///   at_deg   where it is
+///   off   between the curve and what it was fitted to
 struct FresnelCurve {
   static constexpr std::size_t count = 16;
   std::array<Vec3, count> colors{};
-  double error = 0, at_deg = 0;
+  FresnelDifference off;
   friend bool operator==(const FresnelCurve&, const FresnelCurve&) = default;
 
   ///   cosine   of incidence, [0, 1]
@@ -28,10 +33,6 @@ struct FresnelCurve {
 ///   seen   F at a cosine of incidence in [0, 1], linear sRGB
 FresnelCurve fitted_curve(const std::function<Vec3(double cosine)>& seen);
 
-/// The largest CIEDE2000 between two forms of F, and where it is, as in FresnelCurve.
-struct FresnelDifference {
-  double de2000 = 0, at_deg = 0;
-};
 FresnelDifference fresnel_difference(const std::function<Vec3(double cosine)>& a,
                                      const std::function<Vec3(double cosine)>& b);
 

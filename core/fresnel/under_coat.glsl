@@ -80,18 +80,15 @@ real edge_guess(real f0_value, real f82) {
 //   error   of F82 that n and k give: 1e-9 for F0 of at least 0.02, and 1e-4 in float
 EdgeIndex index_of_edge(real f0_value, real f82) {
   real r = clamp(f0_value, real(0), real(1));
-  real least = edge_of_turn(r, real(0)) - f82;
-  real most = edge_of_turn(r, real(1)) - f82;
   EdgeSearch at;
   at.low = real(0);
   at.high = real(1);
-  at.below = least;
-  at.above = most;
+  at.below = edge_of_turn(r, real(0)) - f82;
+  at.above = edge_of_turn(r, real(1)) - f82;
   at.turn = edge_guess(r, f82);
   at.side = real(0);
-  at = edge_narrowed_4_times(edge_narrowed_4_times(edge_narrowed_4_times(at, r, f82), r, f82), r, f82);
-  real inside = most > 0 ? at.turn : real(1);
-  return index_of_turn(r, least < 0 ? inside : real(0));
+  EdgeSearch end = edge_narrowed_4_times(edge_narrowed_4_times(edge_narrowed_4_times(at, r, f82), r, f82), r, f82);
+  return index_of_turn(r, at.below < 0 ? (at.above > 0 ? end.turn : real(1)) : real(0));
 }
 
 //   n   index of the coat against the outside, above 0

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/base/setting.h"
 #include "core/film/stack.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/f0_steps.h"
@@ -32,15 +31,6 @@ Stack coated_stack(const Coat& coat, const Optics& optics) {
   return out;
 }
 
-void validate(const Coat&, const F0Options& options) {
-  if (options.instrument.any())
-    throw Error::at(setting("coat"), "beside " + setting("aperture") + " or " + setting("scatter"),
-                    "one of them");
-  if (f0_setup(options).needs_knots())
-    throw Error::at(setting("method"), std::string(name(options.method)) + " beside a coat",
-                    "1nm or another sum");
-}
-
 std::string coated(const Coat& coat, const F0Options& options, const Optics& optics, const std::string& place,
                    CoatedF0& out) {
   if (std::holds_alternative<Reflectance>(optics))
@@ -62,7 +52,7 @@ std::string coated(const Coat& coat, const F0Options& options, const Optics& opt
   out.whole = colour_of(setup, whole, left);
   out.under = colour_of(setup, under, f0_under);
   std::vector<double> kept(left.size());
-  film_reflectance({q.wavelength_nm, whole.outside, {}, {medium.n, {}}}, 1, left);  // of the coat's surface
+  film_reflectance({{whole.outside, {}, {medium.n, {}}}, q.wavelength_nm}, 1, left);  // of the coat's surface
   for (std::size_t i = 0; i < left.size(); ++i) {
     kept[i] = std::exp(-8 * std::numbers::pi * medium.k[i] * coat.thickness_nm / q.wavelength_nm[i]);
     const double reflected = left[i], passes = 1 - reflected;

@@ -43,9 +43,6 @@ struct CoatedF0 {
 /// Coat, layers and base, the coat as the outermost layer.
 Stack coated_stack(const Coat& coat, const Optics& optics);
 
-/// Throws Error where the method of the options is no sum over wavelengths, or an instrument is in them.
-void validate(const Coat& coat, const F0Options& options);
-
 /// Computes `out`. Returns why the data do not allow it. Throws Error (naming `place`) for reflectance at normal incidence
 /// alone: many n and k have it, which a coat makes different.
 std::string coated(const Coat& coat, const F0Options& options, const Optics& optics, const std::string& place,

@@ -57,17 +57,6 @@ std::string constants_at(const F0Setup& setup, const OpticalConstants& constants
   return {};
 }
 
-std::string stack_reflectance(const F0Setup& setup, const Stack& stack, const Quadrature& q, F0Spectra& room,
-                              Stopwatch& watch, F0Timing& timing) {
-  StackSpectra spectra;
-  if (std::string why = stack_spectra(setup, stack, q, spectra); !why.empty()) return why;
-  watch.lap(timing.interpolate);
-  film_reflectance(spectra.film, 1, room.r0);
-  if (!room.r82.empty()) film_reflectance(spectra.film, f82_cosine, room.r82);
-  watch.lap(timing.fresnel);
-  return {};
-}
-
 }  // namespace
 
 void index_at(const F0Setup& setup, const OpticalConstants& optics, const Quadrature& q,
@@ -91,9 +80,9 @@ std::string stack_spectra(const F0Setup& setup, const Stack& stack, const Quadra
   out.k = out.n;
   for (std::size_t i = 0; i < stack.media.size(); ++i)
     if (std::string why = constants_at(setup, stack.media[i].constants, q, out.n[i], out.k[i]); !why.empty())
-      return stack.media[i].id + ": " + why;
+      return stack.media[i].id.empty() ? why : stack.media[i].id + ": " + why;
   out.outside = outside_at(setup, q);
-  out.film = {q.wavelength_nm, out.outside, {}, {out.n[stack.base], out.k[stack.base]}};
+  out.film = {{out.outside, {}, {out.n[stack.base], out.k[stack.base]}}, q.wavelength_nm};
   for (const StackLayer& layer : stack.layers)
     out.film.layers.push_back(
         {{out.n[layer.medium], out.k[layer.medium]}, layer.thickness_nm, layer.coherent});
@@ -105,22 +94,23 @@ namespace {
 // At normal incidence and at cos 1/7.
 std::string reflectance_ahead(const F0Setup& setup, const Optics& optics, const Quadrature& q,
                               F0Spectra& room, Stopwatch& watch, F0Timing& timing) {
-  if (const auto* table = std::get_if<Reflectance>(&optics)) {
+  StackSpectra spectra;
+  std::string why;
+  const auto* const constants = std::get_if<OpticalConstants>(&optics);
+  if (const auto* table = std::get_if<Reflectance>(&optics))
     values_at(setup, table->spectrum, q, room.r0);
-    watch.lap(timing.interpolate);
-    return {};
-  }
-  if (const auto* stack = std::get_if<Stack>(&optics))
-    return stack_reflectance(setup, *stack, q, room, watch, timing);
-  if (std::string why = constants_at(setup, std::get<OpticalConstants>(optics), q, room.n, room.k);
-      !why.empty())
-    return why;
-  divide_by_outside(setup, q, room.n, room.k);
+  else
+    why = constants ? constants_at(setup, *constants, q, room.n, room.k)
+                    : stack_spectra(setup, std::get<Stack>(optics), q, spectra);
+  if (why.empty() && constants) divide_by_outside(setup, q, room.n, room.k);
   watch.lap(timing.interpolate);
-  f64::f0(room.n, room.k, room.r0);
-  if (!room.r82.empty()) f64::fresnel_exact(room.n, room.k, f82_cosine, room.r82);
+  if (!why.empty() || std::holds_alternative<Reflectance>(optics)) return why;
+  constants ? f64::f0(room.n, room.k, room.r0) : film_reflectance(spectra.film, 1, room.r0);
+  if (!room.r82.empty())
+    constants ? f64::fresnel_exact(room.n, room.k, f82_cosine, room.r82)
+              : film_reflectance(spectra.film, f82_cosine, room.r82);
   watch.lap(timing.fresnel);
-  return {};
+  return why;
 }
 
 }  // namespace

@@ -119,7 +119,12 @@ std::optional<Coat> coat_option(const std::string& text, const LibraryWhenAsked&
   if (text.empty()) return std::nullopt;
   if (axis_average) throw Error::at(setting("coat"), "beside " + setting("axis-average"), "one of them");
   Coat out = coat_setting(text, library);
-  validate(out, options);
+  if (options.instrument.any())
+    throw Error::at(setting("coat"), "beside " + setting("aperture") + " or " + setting("scatter"),
+                    "one of them");
+  if (options.method == Method::exact || options.method == Method::automatic)
+    throw Error::at(setting("method"), std::string(name(options.method)) + " beside a coat",
+                    "1nm or another sum");
   return out;
 }
 

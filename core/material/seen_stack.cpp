@@ -5,33 +5,40 @@
 
 #include "core/base/error.h"
 #include "core/base/text/ascii.h"
+#include "core/fresnel/fresnel.h"
 #include "core/material/f0_steps.h"
 
 namespace etak {
 
 struct SeenStack::State {
   F0Setup setup;
-  StackSpectra spectra = {};  // with views into the setup
-
-  Vec3 seen(std::span<const double> values) const {
-    return setup.spaces.to_srgb * setup.quadrature.integrate(values);
-  }
+  StackSpectra spectra = {};           // with views into the setup
+  std::vector<double> n = {}, k = {};  // of bare_index()
 };
 
-SeenStack::SeenStack(const Stack& stack, F0Options options, Method sum) {
+SeenStack::SeenStack(const Optics& optics, F0Options options, Method sum, std::string_view what) {
   options.method = sum;
   state_ = std::make_unique<State>(State{f0_setup(std::move(options))});
   const F0Setup& setup = state_->setup;
+  const Stack stack = stack_of(optics);
   if (const std::string why = stack_spectra(setup, stack, setup.quadrature, state_->spectra); !why.empty())
-    throw Error::at(printable(stack.text, 80), why);
+    throw Error::at(stack.text.empty() ? std::string(what) : printable(stack.text, 80), why);
+  const FilmSpectra& film = spectra();
+  for (std::size_t i = 0; i < film.outside.size() && film.layers.empty(); ++i) {
+    state_->n.push_back(film.base.n[i] / film.outside[i]);
+    state_->k.push_back(film.base.k[i] / film.outside[i]);
+  }
 }
 SeenStack::~SeenStack() = default;
 SeenStack::SeenStack(SeenStack&&) noexcept = default;
 
 Vec3 SeenStack::operator()(double cosine) const {
   std::vector<double> reflectance(spectra().wavelength_nm.size());
-  film_reflectance(spectra(), cosine, reflectance);
-  return state_->seen(reflectance);
+  if (const auto [n, k] = bare_index(); !n.empty())
+    f64::fresnel_exact(n, k, cosine, reflectance);
+  else
+    film_reflectance(spectra(), cosine, reflectance);
+  return seen(reflectance);
 }
 
 Vec3 SeenStack::passed_twice(double cosine) const {
@@ -41,7 +48,15 @@ Vec3 SeenStack::passed_twice(double cosine) const {
     const auto [s, p] = film_light(film_at(film, i), film.wavelength_nm[i], cosine).passed;
     passed[i] = (s * s + p * p) / 2;
   }
-  return state_->seen(passed);
+  return seen(passed);
+}
+
+Vec3 SeenStack::seen(std::span<const double> values) const {
+  return state_->setup.spaces.to_srgb * state_->setup.quadrature.integrate(values);
+}
+
+FilmSpectra::Medium SeenStack::bare_index() const {
+  return {state_->n, state_->k};
 }
 
 const FilmSpectra& SeenStack::spectra() const {

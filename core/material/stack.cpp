@@ -27,15 +27,8 @@ struct Media {
   std::size_t base = 0;
 };
 
-std::optional<ClearBody> body_of(const StackPart& part) {
-  return clear_body(part.found.material, part.found.chosen());
-}
-
-const OpticalConstants& constants_of(const FoundDataset& found, const std::string& place) {
-  const Optics& optics = found.chosen().optics;
-  const std::string what = found.material.id + "/" + found.chosen().id;
-  if (const auto* constants = std::get_if<OpticalConstants>(&optics)) return *constants;
-  throw Error::at(place, what + " " + std::string(without_constants(optics)), "a medium of n and k");
+void take_body(StackPart& part) {
+  part.body = clear_body(part.found.material, part.found.chosen());
 }
 
 Media find_media(const StackText& text, std::string_view place, const FindStackPart& find) {
@@ -45,7 +38,11 @@ Media find_media(const StackText& text, std::string_view place, const FindStackP
     const auto index = static_cast<std::size_t>(known - out.names.begin());
     if (known != out.names.end()) return index;
     out.names.push_back(name);
-    (void)constants_of(out.parts.emplace_back(find(name, where)).found, where);
+    const FoundDataset& found = out.parts.emplace_back(find(name, where)).found;
+    if (const Dataset& of = found.chosen(); !std::holds_alternative<OpticalConstants>(of.optics))
+      throw Error::at(where,
+                      found.material.id + "/" + of.id + " " + std::string(without_constants(of.optics)),
+                      "a medium of n and k");
     return index;
   };
   for (std::size_t i = 0; i < text.layers.size(); ++i) {
@@ -55,41 +52,32 @@ Media find_media(const StackText& text, std::string_view place, const FindStackP
     out.of_layer.push_back(index_of(text.layers[i].name, where));
   }
   out.base = index_of(text.base, std::string(place) + " base");
-  out.parts[out.base].body = body_of(out.parts[out.base]);
+  take_body(out.parts[out.base]);
   return out;
 }
 
-// The stack with these datasets of the media.
-//   written   its text; empty: one that names every dataset
-Stack opened(const StackText& text, const Media& media, std::string written) {
+// Makes the optics of `made` the stack with these datasets of the media, adds what the importers found in them, and where it
+// has no id makes one of theirs.
+//   written   the text of the stack; empty: one that names every dataset
+void open(const StackText& text, const Media& media, std::string written, Dataset& made) {
   Stack out;
   out.base = media.base;
+  std::string id;
   for (const StackPart& part : media.parts) {
     const Dataset& dataset = part.found.chosen();
     out.media.push_back({part.found.material.id, dataset.id, dataset.citation,
                          std::get<OpticalConstants>(dataset.optics), part.body});
+    append(id, id.empty() ? "" : "+", dataset.id);
+    made.flags |= dataset.flags;
   }
   for (std::size_t i = 0; i < text.layers.size(); ++i) {
     const StackText::Layer& layer = text.layers[i];
     out.layers.push_back({media.of_layer[i], *layer.thickness_nm, layer.coherent});
     if (written.empty()) append(out.text, media.parts[media.of_layer[i]].written, layer.rest, '/');
   }
-  const StackPart& base = media.parts[media.base];
-  out.text += written.empty() ? base.written : written;
-  return out;
-}
-
-// What the importers found in the data of all media.
-Flags flags_of(const Media& media) {
-  Flags out;
-  for (const StackPart& part : media.parts) out |= part.found.chosen().flags;
-  return out;
-}
-
-std::string joined_datasets(const Stack& stack) {
-  std::string out;
-  for (const StackMedium& medium : stack.media) append(out, out.empty() ? "" : "+", medium.dataset);
-  return out;
+  out.text += written.empty() ? media.parts[media.base].written : written;
+  made.optics = std::move(out);
+  if (made.id.empty()) made.id = std::move(id);
 }
 
 // Adds the stacks in which one medium has another of its datasets. All else they have of the dataset at `of`.
@@ -103,11 +91,11 @@ void add_others(Material& material, std::size_t of, const StackText& text, Media
       if (i == preferred.found.dataset || !std::holds_alternative<OpticalConstants>(other.optics)) continue;
       part.found.dataset = i;
       part.written = preferred.found.material.id + "/" + other.id;
-      if (is_base) part.body = body_of(part);
+      if (is_base) take_body(part);
       Dataset dataset = material.datasets[of];
-      dataset.optics = opened(text, media, {});
-      dataset.id = joined_datasets(std::get<Stack>(dataset.optics));
-      dataset.flags = flags_of(media);
+      dataset.id.clear();
+      dataset.flags = {};
+      open(text, media, {}, dataset);
       if (!other.doubtful.empty()) dataset.doubtful = other.doubtful;
       if (material.dataset(dataset.id) == nullptr) material.datasets.push_back(std::move(dataset));
     }
@@ -119,7 +107,6 @@ void add_others(Material& material, std::size_t of, const StackText& text, Media
 
 StackPart library_part(const MaterialLibrary& library, std::string_view name, const std::string& place) {
   StackPart out;
-  const NameWords words{.place = place, .instead = {}};
   auto found = library.look_up(name);
   const std::size_t slash = found ? name.npos : name.find('/');
   const std::string_view material = name.substr(0, slash);
@@ -129,7 +116,7 @@ StackPart library_part(const MaterialLibrary& library, std::string_view name, co
     return out;
   }
   if (!found) found = library.look_up(material);
-  if (!found) fail_unknown_name(library, name, words);
+  if (!found) fail_unknown_name(library, name, {.place = place, .instead = {}});
   out.found.material = library.as_filed(found->index);
   out.named = slash != name.npos;
   const Material& of = out.found.material;
@@ -145,10 +132,7 @@ void open_stacks(Material& material, std::string_view place, const FindStackPart
     if (stack == nullptr || stack->is_open()) continue;
     const StackText text = parse_stack(stack->text, place);
     const Media media = find_media(text, place, find);
-    *stack = opened(text, media, stack->text);
-    Dataset& dataset = material.datasets[i];
-    if (dataset.id.empty()) dataset.id = joined_datasets(*stack);
-    dataset.flags |= flags_of(media);
+    open(text, media, stack->text, material.datasets[i]);
     if (material.class_by != ClassBy::stated) {
       const Material& base = media.parts[media.base].found.material;
       material.material_class = base.material_class;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "core/base/error.h"
@@ -47,15 +48,25 @@ std::size_t thickness_at(std::string_view part, bool last) {
 }
 
 std::optional<double> thickness(std::string_view text, const std::string& place) {
+  double nm = 0;
+  if (read_thickness(text, nm)) return nm;
   std::string_view digits = text;
-  const double factor = take_unit(digits);
-  if (factor == 0) throw Error::at(place, "thickness " + printable(text) + " has no unit", thickness_form);
+  if (take_unit(digits) == 0)
+    throw Error::at(place, "thickness " + printable(text) + " has no unit", thickness_form);
   if (digits == "?") return std::nullopt;
-  double value = 0;
-  if (is_no_number(text) || (parse_number(digits, value) && !(value >= 0 && std::isfinite(value * factor))))
-    throw Error::at(place, "thickness " + printable(text), "a finite one of at least 0");
-  if (!parse_number(digits, value)) throw Error::at(place, "thickness " + printable(text), thickness_form);
-  return value * factor;
+  const bool is_number = is_no_number(text) || parse_number(digits, nm);
+  throw Error::at(place, "thickness " + printable(text),
+                  is_number ? "a finite one of at least 0" : thickness_form);
+}
+
+// The next thickness behind `from`: where its ':' is, and the end of its part; npos: there is none.
+std::pair<std::size_t, std::size_t> next_thickness(std::string_view text, std::size_t from) {
+  for (std::size_t to = 0; from <= text.size(); from = to + 1) {
+    to = std::min(text.find('/', from), text.size());
+    const std::size_t colon = thickness_at(text.substr(from, to - from), to == text.size());
+    if (colon != text.npos) return {from + colon, to};
+  }
+  return {text.npos, text.npos};
 }
 
 // `rest` is what a layer has behind its name.
@@ -91,12 +102,7 @@ bool read_thickness(std::string_view text, double& nm) {
 }
 
 bool is_stack_text(std::string_view text) {
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find('/', from), text.size());
-    if (thickness_at(text.substr(from, to - from), to == text.size()) != text.npos) return true;
-    from = to + 1;
-  }
-  return false;
+  return next_thickness(text, 0).first != text.npos;
 }
 
 std::string format_stack(const StackText& stack) {
@@ -118,19 +124,14 @@ std::string layer_place(std::string_view place, std::size_t index) {
 StackText parse_stack(std::string_view text, std::string_view place) {
   StackText out;
   std::size_t begin = 0;  // of what belongs to no layer yet
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find('/', from), text.size());
-    const std::size_t colon = thickness_at(text.substr(from, to - from), to == text.size());
-    if (colon != text.npos) {
-      if (out.layers.size() == most_layers)
-        throw Error::at(place, "more than " + std::to_string(most_layers) + " layers",
-                        "at most " + std::to_string(most_layers));
-      const std::size_t rest = from + colon;
-      out.layers.push_back(layer(std::string(text.substr(begin, rest - begin)), text.substr(rest, to - rest),
-                                 layer_place(place, out.layers.size())));
-      begin = to + 1;
-    }
-    from = to + 1;
+  for (auto [rest, to] = next_thickness(text, 0); rest != text.npos;
+       std::tie(rest, to) = next_thickness(text, begin)) {
+    if (out.layers.size() == most_layers)
+      throw Error::at(place, "more than " + std::to_string(most_layers) + " layers",
+                      "at most " + std::to_string(most_layers));
+    out.layers.push_back(layer(std::string(text.substr(begin, rest - begin)), text.substr(rest, to - rest),
+                               layer_place(place, out.layers.size())));
+    begin = to + 1;
   }
   out.base = begin < text.size() ? text.substr(begin) : "";
   if (out.layers.empty()) throw Error::at(place, "a stack without layers", thickness_form);

@@ -3,9 +3,6 @@
 // a namespace where `real` is double. Coefficients: Taylor's, of as many terms as the stated ranges need. Constants in
 // two and three pieces after Cody and Waite 1980: products of the first pieces with whole numbers are exact.
 
-inline long long whole_bits(double shifted) {
-  return __builtin_bit_cast(long long, shifted);
-}
 // Adding it rounds a number below 2^31 to a whole one and leaves that in the low bits.
 constexpr double to_whole = 6755399441055744.0;  // 1.5 2^52
 
@@ -19,7 +16,7 @@ inline real exp(real x) {
   for (const real share : {1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320,
                            1.0 / 5040, 1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0})
     sum = sum * r + share;
-  return sum * __builtin_bit_cast(double, (whole_bits(shifted) + 1023) << 52);
+  return sum * __builtin_bit_cast(double, (__builtin_bit_cast(long long, shifted) + 1023) << 52);
 }
 
 // sin and cos of angles up to 1e6: absolute error 3e-16.
@@ -36,7 +33,7 @@ inline real turned_sine(real x, long long quarters_ahead) {
   for (const real share :
        {-1.0 / 87178291200, 1.0 / 479001600, -1.0 / 3628800, 1.0 / 40320, -1.0 / 720, 1.0 / 24, -0.5})
     even = even * r2 + share;
-  const long long quarters = whole_bits(shifted) + quarters_ahead;
+  const long long quarters = __builtin_bit_cast(long long, shifted) + quarters_ahead;
   const real value = (quarters & 1) != 0 ? 1 + r2 * even : r + r * r2 * odd;
   return (quarters & 2) != 0 ? -value : value;
 }

@@ -104,7 +104,7 @@ class Curves {
     if (std::holds_alternative<Reflectance>(optics))
       throw Error::at(name, "holds reflectance at normal incidence alone",
                       "data of n and k, or " + setting("term"));
-    const SeenFresnel seen(optics, name, request_.options);
+    const SeenStack seen(optics, request_.options, Method::nm1, name);
     ColorCurve& curve = curves.emplace_back(ColorCurve{name, {}, {}});
     const auto steps = static_cast<int>(std::lround(90 / request_.step_deg));
     for (int i = 0; i <= steps; ++i) {

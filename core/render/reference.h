@@ -14,7 +14,7 @@ namespace etak {
 /// The Fresnel reflectance of a spectrum as a colour: the exact F(wavelength, cosine) in steps of 1 nm over
 /// 360..830 nm, under D65 for the CIE 1931 observer, in linear sRGB. It is a table of 4096 steps in the
 /// cosine, linear between them.
-///   error   3e-5 against SeenFresnel
+///   error   3e-5 against SeenStack
 class SpectralFresnel {
  public:
   explicit SpectralFresnel(const Optics& optics);

@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "core/color/colorspace.h"
-#include "core/fresnel/fresnel.h"
-#include "core/render/optics_grid.h"
+#include "core/material/seen_stack.h"
 #include "core/render/reference.h"
 #include "core/spectrum/integration.h"
 
@@ -13,43 +12,10 @@ namespace {
 
 constexpr std::size_t fresnel_steps = 4096;
 
-// n and k on the grid, relative to the outside medium.
-GridIndex relative_index(const OpticalConstants& optics, const OutsideMedium& outside,
-                         std::string_view what) {
-  GridIndex index = grid_index(optics, what);
-  GridIndex medium;
-  if (const auto* constants = std::get_if<OpticalConstants>(&outside.index))
-    medium = grid_index(*constants, outside.label);
-  else
-    medium.n.fill(std::get<double>(outside.index));
-  for (std::size_t i = 0; i < grid_size; ++i) {
-    index.n[i] /= medium.n[i];
-    index.k[i] /= medium.n[i];
-  }
-  return index;
-}
-
 }  // namespace
 
-SeenFresnel::SeenFresnel(const Optics& optics, std::string_view what, const F0Options& seen)
-    : quadrature_(make_quadrature(Method::nm1, seen.viewing)) {
-  const Quadrature d65 = make_quadrature(Method::nm1, {seen.viewing.observer, Illuminant::d65});
-  to_srgb_ = xyz_to_rgb(RgbSpace::srgb, to_xyz(quadrature_.white()), to_xyz(d65.white()));
-  if (const auto* stack = std::get_if<Stack>(&optics))
-    stack_.emplace(*stack, seen);
-  else
-    index_ = relative_index(std::get<OpticalConstants>(optics), seen.outside, what);
-}
-
-Vec3 SeenFresnel::operator()(double cosine) const {
-  if (stack_) return (*stack_)(cosine);
-  std::array<double, grid_size> reflectance{};
-  etak::f64::fresnel_exact(index_->n, index_->k, cosine, reflectance);
-  return rgb(reflectance);
-}
-
 SpectralFresnel::SpectralFresnel(const Optics& optics) : table_(fresnel_steps + 1) {
-  const SeenFresnel seen(optics);
+  const SeenStack seen(optics);
   for (std::size_t i = 0; i <= fresnel_steps; ++i) table_[i] = seen(double(i) / fresnel_steps);
 }
 

@@ -8,9 +8,8 @@
 #include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
-#include "core/material/dispersion.h"
 #include "core/material/f0.h"
-#include "core/render/optics_grid.h"
+#include "core/material/seen_stack.h"
 #include "core/render/scene.h"
 #include "core/spectrum/interpolate.h"
 
@@ -28,32 +27,7 @@ Vec3 passing_of(const ClearBody& body) {
   return out;
 }
 
-// n of the outside medium at helium's yellow line.
-double outside_index(const F0Options& options) {
-  if (const auto* constant = std::get_if<double>(&options.outside.index)) return *constant;
-  return grid_index(std::get<OpticalConstants>(options.outside.index), "outside").n[588 - grid_first_nm];
-}
-
 }  // namespace
-
-GridIndex grid_index(const OpticalConstants& optics, std::string_view what) {
-  GridIndex out;
-  if (const auto* formula = std::get_if<DispersionFormula>(&optics.n)) {
-    std::array<double, grid_size> at_nm{};
-    for (std::size_t i = 0; i < grid_size; ++i) at_nm[i] = grid_first_nm + static_cast<double>(i);
-    evaluate(*formula, at_nm, out.n);
-  } else {
-    resample_to_grid(std::get<Spectrum>(optics.n), out.n);
-  }
-  if (optics.k) resample_to_grid(*optics.k, out.k);
-  for (std::size_t i = 0; i < grid_size; ++i)
-    if (!(out.n[i] > 0 || (out.n[i] == 0 && out.k[i] > 0)))
-      throw Error::at(
-          what,
-          "n = " + number(out.n[i], 6) + " at " + std::to_string(grid_first_nm + static_cast<int>(i)) + " nm",
-          "n above 0, or 0 with k above 0");
-  return out;
-}
 
 void solve_index(SurfaceValues& surface) {
   for (std::size_t c = 0; c < 3; ++c) {
@@ -103,8 +77,9 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
   const SeenStack seen(*stack, options);
   out.curve = fitted_curve(std::cref(seen));
   if (body)
-    out.layers = {body->n_d.value_or(1.5) / outside_index(options),
-                  fitted_curve([&](double c) { return seen.passed_twice(c); })};
+    out.layers = {
+        body->n_d.value_or(1.5) / seen.spectra().outside[588 - grid_first_nm],  // helium's yellow line
+        fitted_curve([&](double c) { return seen.passed_twice(c); })};
   return out;
 }
 
@@ -116,7 +91,7 @@ double unseen_luminance(const SurfaceValues& surface) {
 FresnelCurve curve_of(const SurfaceValues& surface) {
   if (surface.curve) return *surface.curve;
   if (surface.optics) {
-    const SeenFresnel seen(*surface.optics);
+    const SeenStack seen(*surface.optics);
     return fitted_curve(std::cref(seen));
   }
   return fitted_curve([&](double cosine) {
@@ -128,8 +103,8 @@ FresnelCurve curve_of(const SurfaceValues& surface) {
 
 std::string curve_note(const FresnelCurve& curve) {
   return "F of the layers is drawn as a curve of " + std::to_string(FresnelCurve::count) +
-         " colours over the angle, off by at most " + number(curve.error, 2) + " (CIEDE2000), at " +
-         number(curve.at_deg, 3) + " degrees";
+         " colours over the angle, off by at most " + number(curve.off.de2000, 2) + " (CIEDE2000), at " +
+         number(curve.off.at_deg, 3) + " degrees";
 }
 
 void complete_from_f0(SurfaceValues& surface) {

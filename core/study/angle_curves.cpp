@@ -31,16 +31,6 @@ AngleCurve curve_of(const FresnelForm& form, const FresnelTruth& truth, const Fr
   return out;
 }
 
-// The angles, and F0 alone: reflectance data do not tell F at other angles.
-FresnelTruth truth_of_f0(const Vec3& f0, double step_deg) {
-  FresnelTruth out;
-  const auto steps = static_cast<int>(std::lround(90 / step_deg));
-  for (int i = 0; i <= steps; ++i)
-    out.cosine.push_back(i == steps ? 0 : std::cos(std::numbers::pi / 2 * i / steps));
-  out.f0 = f0;
-  return out;
-}
-
 // Nanoseconds of one call of each body: the median over rounds, in which all bodies are called in turn.
 std::vector<double> median_ns(const std::vector<std::function<void()>>& bodies) {
   constexpr int rounds = 15;
@@ -73,7 +63,8 @@ AngleCurves angle_curves(const Optics& optics, const F0Options& options, std::st
   } else {
     const F0Result result = F0Solver(options).solve(optics);
     if (result.refused()) return out;
-    truth = truth_of_f0(vec(result.srgb_linear), step_deg);
+    // Reflectance data do not tell F at other angles.
+    truth = fresnel_truth([&](double) { return vec(result.srgb_linear); }, step_deg);
   }
   for (const double cosine : truth.cosine)
     out.angle_deg.push_back(std::acos(cosine) * 180 / std::numbers::pi);

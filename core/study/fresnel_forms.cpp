@@ -208,9 +208,7 @@ const FresnelForm* fresnel_form(std::string_view id) {
   return nullptr;
 }
 
-FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double step_deg,
-                           const F0Options& seen_under) {
-  const SeenFresnel seen(optics, what, seen_under);
+FresnelTruth fresnel_truth(const std::function<Vec3(double)>& seen, double step_deg) {
   FresnelTruth truth;
   const auto steps = static_cast<std::size_t>(std::lround(90 / step_deg));
   double sum = 0;
@@ -224,15 +222,22 @@ FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double s
   for (double& weight : truth.weight) weight /= sum;
   truth.f0 = truth.rgb.front();
   truth.f82 = seen(f82_cosine);
-  if (!seen.index()) return truth;
-  const GridIndex& index = *seen.index();
-  truth.mean_index = {seen.rgb(index.n), seen.rgb(index.k)};
+  return truth;
+}
+
+FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double step_deg,
+                           const F0Options& seen_under) {
+  const SeenStack seen(optics, seen_under, Method::nm1, what);
+  FresnelTruth truth = fresnel_truth(std::cref(seen), step_deg);
+  const auto [n, k] = seen.bare_index();
+  if (n.empty()) return truth;
+  truth.mean_index = {seen.seen(n), seen.seen(k)};
   for (std::size_t c = 0; c < 3; ++c) {
     const double place = channel_nm[c] - grid_first_nm;
     const auto at = static_cast<std::size_t>(place);
     const double share = place - static_cast<double>(at);
-    truth.three_wavelengths[0][c] = std::lerp(index.n[at], index.n[at + 1], share);
-    truth.three_wavelengths[1][c] = std::lerp(index.k[at], index.k[at + 1], share);
+    truth.three_wavelengths[0][c] = std::lerp(n[at], n[at + 1], share);
+    truth.three_wavelengths[1][c] = std::lerp(k[at], k[at + 1], share);
   }
   return truth;
 }

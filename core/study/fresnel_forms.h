@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -10,8 +11,8 @@
 #include "core/fresnel/curve.h"
 #include "core/material/f0.h"
 #include "core/material/material.h"
+#include "core/material/seen_stack.h"
 #include "core/math/mat3.h"
-#include "core/render/optics_grid.h"
 
 namespace etak {
 
@@ -27,8 +28,12 @@ struct FresnelTruth {
   std::array<Vec3, 2> three_wavelengths{};  // n and k at 611.4, 549.1 and 464.3 nm, as sRGB's primaries
 };
 
+/// F at angles from 0 to 90 degrees in steps of `step_deg`, without an index.
+///   seen   F at a cosine, linear sRGB
+FresnelTruth fresnel_truth(const std::function<Vec3(double cosine)>& seen, double step_deg);
+
 /// The truth at angles from 0 to 90 degrees in steps of `step_deg`. Throws Error (naming `what`) as
-/// SeenFresnel does.
+/// SeenStack does.
 ///   seen   observer, illuminant and outside medium are used; space and method are not
 FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double step_deg = 0.25,
                            const F0Options& seen = {});

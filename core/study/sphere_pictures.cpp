@@ -10,7 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/brdf/models.h"
 #include "core/color/srgb.h"
-#include "core/render/optics_grid.h"
+#include "core/material/seen_stack.h"
 #include "core/render/reference.h"
 
 namespace etak {
@@ -158,7 +158,7 @@ Image SphereTruth::picture(const Model& model, const SphereMaterial& material) c
   Image out(white_body_.width, white_body_.height, 3);
   std::array<Vec3, light_angles.size()> f;
   for (std::size_t light = 0; light < f.size(); ++light)
-    f[light] = SeenFresnel(*material.surface.optics)(
+    f[light] = SeenStack(*material.surface.optics)(
         std::cos(light_angles[light].from_viewer_deg / 2 * std::numbers::pi / 180));
   for (std::size_t i = 0; i < out.pixel_count(); ++i)
     for (std::size_t c = 0; c < 3; ++c) {

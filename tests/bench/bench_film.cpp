@@ -64,7 +64,7 @@ void plain(const Spectra& of, double thickness_nm, double cosine, std::vector<do
 }
 
 void ours(const Spectra& of, double thickness_nm, double cosine, std::vector<double>& out) {
-  film_reflectance({of.nm, of.outside, {{{of.n1, {}}, thickness_nm, true}}, {of.n, of.k}}, cosine, out);
+  film_reflectance({{of.outside, {{{of.n1, {}}, thickness_nm, true}}, {of.n, of.k}}, of.nm}, cosine, out);
 }
 
 using Way = void (*)(const Spectra&, double, double, std::vector<double>&);

@@ -166,8 +166,8 @@ std::string surface_json(const SurfaceValues& s) {
                               {"opacity", number(s.opacity, 9)}};
   if (s.curve)
     out.push_back({"curve", json_object({{"colors", json(s.curve->colors.size())},
-                                         {"error", number(s.curve->error, 3)},
-                                         {"at_deg", number(s.curve->at_deg, 3)}},
+                                         {"error", number(s.curve->off.de2000, 3)},
+                                         {"at_deg", number(s.curve->off.at_deg, 3)}},
                                         -1)});
   if (s.emission != Vec3{}) out.push_back({"emission", three(s.emission)});
   if (s.occlusion != 1) out.push_back({"occlusion", number(s.occlusion, 9)});
@@ -367,8 +367,8 @@ int draw_within_memory(RenderArguments& arguments) {
       SceneNotes its;
       Image out = draw_one(one, threads, scene, its, stats, shared);
       const auto& curve = scene.surface.curve;
-      if (curve && curve->error > worst) {
-        worst = curve->error;
+      if (curve && curve->off.de2000 > worst) {
+        worst = curve->off.de2000;
         of_layers = std::move(its.remarks);
       } else if (!curve) {
         std::ranges::move(its.remarks, std::back_inserter(notes.remarks));

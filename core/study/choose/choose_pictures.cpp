@@ -10,7 +10,7 @@
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/f0.h"
-#include "core/render/optics_grid.h"
+#include "core/material/seen_stack.h"
 #include "core/render/reference.h"
 #include "core/study/choose/choose_models.h"
 
@@ -50,18 +50,8 @@ Vec3 f_of_colour(const Vec3& f0, double cosine) {
 }
 
 FresnelTruth colour_truth(const Vec3& f0) {
-  FresnelTruth truth;
-  constexpr int steps = 360;
-  for (int i = 0; i <= steps; ++i) {
-    const double angle = std::numbers::pi / 2 * i / steps;
-    truth.cosine.push_back(i == steps ? 0 : std::cos(angle));
-    truth.weight.push_back(std::sin(angle) * truth.cosine.back());
-    truth.rgb.push_back(f_of_colour(f0, truth.cosine.back()));
-  }
-  const double sum = std::accumulate(truth.weight.begin(), truth.weight.end(), 0.0);
-  for (double& weight : truth.weight) weight /= sum;
+  FresnelTruth truth = fresnel_truth([&](double cosine) { return f_of_colour(f0, cosine); }, 0.25);
   truth.f0 = f0;
-  truth.f82 = f_of_colour(f0, f82_cosine);
   return truth;
 }
 
@@ -70,7 +60,7 @@ ChoosePictures::ChoosePictures(const ChooseSubject& subject)
   const auto light = [&](const Vec3& travels, double irradiance) {
     const Vec3 t = unit(travels), towards{-t[0], -t[1], -t[2]};
     Light out{towards, irradiance, std::sqrt((1 + towards[2]) / 2), {}};
-    if (subject.dataset) out.spectral_f = SeenFresnel(subject.dataset->optics)(out.lh);
+    if (subject.dataset) out.spectral_f = SeenStack(subject.dataset->optics)(out.lh);
     lights_.push_back(out);
   };
   // The viewer looks along -z.

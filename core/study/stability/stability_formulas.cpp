@@ -10,15 +10,13 @@
 #pragma GCC diagnostic ignored "-Wdiv-by-zero"
 
 // One layer on a base, and a metal under a coat: the naive form has the numbers of ours.
-#define ETAK_FILM(id, title, input, n0, c, n, k, n1, k1, turns, ...)                                     \
-  ETAK_STABILITY(id, title, input,                                                                       \
-                 naive_mean(naive_over(naive_on(real(n0), real(c), real(n), real(k)), real(n0), real(c), \
-                                       real(n1), real(k1), real(turns)),                                 \
-                            real(n0), real(c)),                                                          \
-                 film_mean(film_over(film_on(real(n0), real(c), real(n), real(k)), real(n0), real(c),    \
-                                     real(n1), real(k1), real(turns)),                                   \
-                           real(n0), real(c)),                                                           \
-                 __VA_ARGS__)
+#define ETAK_ONE_LAYER(form, n0, c, n, k, n1, k1, turns)                                               \
+  form##_mean(form##_over(form##_on(real(n0), real(c), real(n), real(k)), real(n0), real(c), real(n1), \
+                          real(k1), real(turns)),                                                      \
+              real(n0), real(c))
+#define ETAK_FILM(id, title, input, n0, c, n, k, n1, k1, turns, ...)                  \
+  ETAK_STABILITY(id, title, input, ETAK_ONE_LAYER(naive, n0, c, n, k, n1, k1, turns), \
+                 ETAK_ONE_LAYER(film, n0, c, n, k, n1, k1, turns), __VA_ARGS__)
 #define ETAK_COAT(id, title, input, ours, f0, f82, n, ...)                                             \
   ETAK_STABILITY(id, title, input, naive_under(real(f0), real(n)), ours(real(f0), real(f82), real(n)), \
                  __VA_ARGS__)

@@ -258,7 +258,7 @@ TEST_CASE("spectra in vector lanes have the reflectances of single wavelengths")
       k.push_back(j % 2 == 0 ? row(0, 4) : row(0, 1e-3));
       thickness.push_back(random(0, 500));
     }
-    FilmSpectra film{wavelength, outside, {}, {n[layers], k[layers]}};
+    FilmSpectra film{{outside, {}, {n[layers], k[layers]}}, wavelength};
     const std::size_t thick = i % 4 == 3 ? 0 : layers;  // some have a layer that is not coherent
     for (std::size_t j = 0; j < layers; ++j) film.layers.push_back({{n[j], k[j]}, thickness[j], j != thick});
     std::vector<double> out(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/render/optics_grid.h"
+#include "core/material/seen_stack.h"
 #include "core/render/reference.h"
 
 #include <catch2/catch.hpp>
@@ -40,7 +40,7 @@ TEST_CASE("the spectral table is F0 and F82 of the F0 solver, and within 3e-5 of
       CHECK(table.at(1.0 / 7)[c] == Approx(vec(*f0.f82)[c]).epsilon(1e-5));
     }
     for (const double cosine : {1e-4, 0.0021, 0.0123, 0.0777, 0.3331, 0.7}) {
-      const Vec3 sum = SeenFresnel(optics)(cosine);
+      const Vec3 sum = SeenStack(optics)(cosine);
       for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs(table.at(cosine)[c] - sum[c]) < 3e-5);
     }
   }

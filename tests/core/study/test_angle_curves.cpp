@@ -154,7 +154,7 @@ TEST_CASE("F at one angle is that of the whole truth, in any medium and light") 
   F0Options options;
   options.viewing.illuminant = Illuminant::a;
   options.outside.index = 1.33;
-  const SeenFresnel seen(optics, "copper", options);
+  const SeenStack seen(optics, options);
   const FresnelTruth truth = fresnel_truth(optics, "copper", 30, options);
   REQUIRE(truth.cosine.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) CHECK(seen(truth.cosine[i]) == truth.rgb[i]);
