@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/text/ascii.h"
+#include "core/color/aces.h"
 
 namespace etak {
 namespace {
@@ -37,8 +38,8 @@ constexpr std::array common_names{
     CommonName{"ciexyz", RgbSpace::xyz},
 };
 
-// White of ACES (SMPTE ST 2065-1), the one space here whose white is not D65.
-constexpr Xyz aces_white{0.32168 / 0.33767, 1, (1 - 0.32168 - 0.33767) / 0.33767};
+// Of ACEScg, the one space here whose white is not D65.
+constexpr Xyz aces_white{aces_white_x / aces_white_y, 1, (1 - aces_white_x - aces_white_y) / aces_white_y};
 
 }  // namespace
 

@@ -16,6 +16,7 @@
 #include "core/base/setting.h"
 #include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
+#include "core/color/aces.h"
 #include "core/color/colorspace.h"
 #include "core/color/ocio_config.h"
 #include "core/color/ocio_files.inc"
@@ -99,7 +100,7 @@ Interchange cie_interchange() {
 
 // ACES2065-1: primaries and white of SMPTE ST 2065-1:2021.
 Interchange aces_interchange() {
-  const Xyz white = white_of(0.32168, 0.33767);
+  const Xyz white = white_of(aces_white_x, aces_white_y);
   return {"aces_interchange", white,
           inverse(rgb_to_xyz({{{0.7347, 0.2653}, {0, 1}, {0.0001, -0.077}}}, white))};
 }

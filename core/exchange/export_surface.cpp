@@ -9,6 +9,7 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
+#include "core/color/aces.h"
 #include "core/exchange/export_values.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
@@ -31,8 +32,8 @@ void note_quality(ExportSurface& out, const Material& material, const Dataset& d
 
 // The XYZ of a white with chromaticity x, y and Y = 1.
 Xyz white_of(RgbSpace space) {
-  const double x = space == RgbSpace::acescg ? 0.32168 : 0.3127,
-               y = space == RgbSpace::acescg ? 0.33767 : 0.3290;
+  const double x = space == RgbSpace::acescg ? aces_white_x : 0.3127,
+               y = space == RgbSpace::acescg ? aces_white_y : 0.3290;
   return {x / y, 1, (1 - x - y) / y};
 }
 

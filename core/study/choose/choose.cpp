@@ -12,15 +12,13 @@
 #include "core/brdf/parameters.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/f0.h"
+#include "core/study/choose/choose_judge.h"
 #include "core/study/choose/choose_models.h"
-#include "core/study/choose/choose_pictures.h"
 
 namespace etak {
 namespace {
 
 constexpr std::string_view full_visibility = "smith-ggx-height";
-constexpr std::size_t most_f0 = 16;  // colours of F0 of a texture that are judged at every angle
-constexpr int textures_of_pair = 2;  // that the filters of the cost table read
 
 // The term of the registry that has the form's formula.
 std::string_view term_of(std::string_view form) {
@@ -55,88 +53,6 @@ std::vector<double> model_numbers(const Model& model, const FresnelValues& value
   out.push_back(alpha);
   return out;
 }
-
-PictureDifference angle_difference(ErrorUnit unit, const FresnelTruth& truth, const FresnelForm& form,
-                                   const FresnelValues& values) {
-  PictureDifference out;
-  for (std::size_t i = 0; i < truth.cosine.size(); ++i) {
-    Vec3 rgb{};
-    for (std::size_t c = 0; c < 3; ++c) rgb[c] = form.value(values[c].data(), truth.cosine[i]);
-    const double miss = difference(unit, rgb, truth.rgb[i]);
-    out.worst = std::max(out.worst, miss);
-    out.mean += truth.weight[i] * miss;
-  }
-  return out;
-}
-
-TextureFilter full_filter(const ChooseSubject& subject) {
-  return !subject.textured() ? TextureFilter::constant
-         : subject.mipmaps   ? TextureFilter::trilinear
-                             : TextureFilter::bilinear;
-}
-
-// Compares the candidates of each step with "everything", at all angles and in all pixels.
-class Judge {
- public:
-  Judge(const ChooseSubject& subject, ErrorUnit unit, const CostTable& costs)
-      : subject_(subject), unit_(unit), costs_(costs), pictures_(subject) {
-    everything_.filter = full_filter(subject);
-    judge_.emplace(unit, pictures_.draw(everything_));
-    if (subject.dataset)
-      truths_ = {fresnel_truth(subject.dataset->optics, subject.library)};
-    else if (subject.texture)
-      for (const Vec3& f0 : subject.texture->some_f0(most_f0)) truths_.push_back(colour_truth(f0));
-    else
-      truths_ = {colour_truth(subject.texel.f0)};
-  }
-
-  const ChooseSubject& subject() const { return subject_; }
-  ErrorUnit unit() const { return unit_; }
-  const Look& everything() const { return everything_; }
-
-  /// The cost of reading the textures that are not one colour.
-  double filter_cost(TextureFilter filter, int textures) const {
-    return cost("filter/", name(filter)) * textures / textures_of_pair;
-  }
-  std::size_t pixels() const { return judge_->pixels(); }
-  double cost(const char* of_what, std::string_view id) const { return costs_.of(of_what + std::string(id)); }
-
-  /// F over angle of the spectrum, or of the first colour of F0.
-  const FresnelTruth& truth() const { return truths_.front(); }
-
-  PictureDifference picture(const Look& look) const { return judge_->difference_of(pictures_.draw(look)); }
-
-  /// The largest error over all angles and all colours of F0 that occur. `values` are used with a spectrum;
-  /// for colours the form is fitted to each of them.
-  PictureDifference at_any_angle(const FresnelForm& form, const FresnelValues& values) const {
-    PictureDifference out;
-    for (const FresnelTruth& truth : truths_) {
-      const PictureDifference one =
-          angle_difference(unit_, truth, form, subject_.dataset ? values : form.fit(truth));
-      out.worst = std::max(out.worst, one.worst);
-      out.mean = std::max(out.mean, one.mean);
-    }
-    return out;
-  }
-
-  /// The simplest form that equals "everything" for the spectrum, or for the colours of F0 that occur.
-  std::string_view full_form() const {
-    if (subject_.dataset) return subject_.stack() ? "curve" : "index";
-    bool low = false, high = false;
-    for (const FresnelTruth& truth : truths_)
-      for (const double f0 : truth.f0) (f0 < forbidden_zone_first ? low : high) = true;
-    return low && high ? "by_f0" : low ? "from_f0" : "schlick";
-  }
-
- private:
-  const ChooseSubject& subject_;
-  const ErrorUnit unit_;
-  const CostTable& costs_;
-  const ChoosePictures pictures_;
-  std::vector<FresnelTruth> truths_;  // that of the spectrum, or one for each colour of F0
-  Look everything_;
-  std::optional<PictureJudge> judge_;
-};
 
 // ---- the steps in their order: each looks for the cheapest candidate within `limit`, drawn with what the
 // steps before have chosen. Its own error, beside the exact rest, counts on top of the errors that those
@@ -248,7 +164,7 @@ struct FilterStep {
 FilterStep choose_filter(const Judge& judge, Look look, double spent, double limit) {
   const ChooseSubject& subject = judge.subject();
   FilterStep out;
-  out.filter = full_filter(subject);
+  out.filter = judge.everything().filter;
   if (!subject.textured()) return out;
   std::vector<std::pair<double, TextureFilter>> ranked;
   for (const TextureFilter filter : all_filters)
@@ -452,7 +368,7 @@ Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const 
   out.picture_mean = together.mean;
   describe_model(judge, chosen.values, out);
   out.everything_ns =
-      evaluation_cost(judge, judge.full_form(), full_visibility, full_filter(subject), textures_of_pair);
+      evaluation_cost(judge, judge.full_form(), full_visibility, judge.everything().filter, textures_of_pair);
   out.chosen_ns = evaluation_cost(judge, out.fresnel->id, out.visibility, out.filter, out.textures);
   if (out.met) take_whole_model(judge, chosen, fresnel, out);
   out.film_candidates = films_of(judge, options.budget);
