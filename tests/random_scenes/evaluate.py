@@ -256,7 +256,7 @@ class Drawn:
         return [sum(s * values[i][c] for i, s in zip(corners, shares)) for c in range(len(values[0]))]
 
     def uvs(self, corners, shares):
-        return {s: self.at(f"TEXCOORD_{s}", corners, shares) or [0.0, 0.0] for s in range(4)}
+        return {s: self.at(f"TEXCOORD_{s}", corners, shares) or [0.0, 0.0] for s in range(8)}
 
     def colour(self, corners, shares):
         out = self.at("COLOR_0", corners, shares) or [1.0] * 4
