@@ -52,7 +52,7 @@ SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& l
     out.spread += QStringLiteral("<br>") + QObject::tr("half of the publications lie in here") + ' ';
     for (const LinearRgb& each : half_band_colors(*band, r.srgb_linear))
       out.spread += QStringLiteral("<font color=\"%1\">\u2588\u2588</font>").arg(qt_text(hex(srgb_u8(each))));
-    out.spread += QStringLiteral("<br>") + qt_text(words(*band));
+    out.spread += QStringLiteral("<br>") + qt_text(words(*band)).toHtmlEscaped();
   });
   if (!failure.isEmpty()) out.result = failure;
   return out;
@@ -85,6 +85,7 @@ SourceSection::SourceSection(Document& document, QWidget* parent)
     box->lineEdit()->setPlaceholderText(placeholder);
     connect(box->lineEdit(), &QLineEdit::editingFinished, this, &SourceSection::take);
   };
+  spread_->setTextFormat(Qt::RichText);  // it holds swatches
   editable(material_, tr("Use measured F0 of, text"), tr("typed numbers"));
   material_->completer()->setCompletionMode(QCompleter::PopupCompletion);
   material_->completer()->setFilterMode(Qt::MatchContains);
