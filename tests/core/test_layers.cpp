@@ -187,6 +187,7 @@ TEST_CASE("no message of core names an option of a command line: setting() names
       "core/validate/",                       // its settings are those of etak.toml and of the command line
       "core/pages/atlas_page.cpp",            // a command for the reader to copy
       "core/pages/choose_text.cpp",           // the same
+      "core/project/command_line.cpp",        // the same
       "core/study/choose/choose_values.cpp",  // the same
       "core/study/timing.cpp"};               // arguments of the benchmark library
   for (const auto& file : files_below("core")) {
