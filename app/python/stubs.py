@@ -21,7 +21,7 @@ library: Library
 
 class Error(ValueError): ...
 """
-# What pybind11 calls a type, and what it is called in a stub.
+# The name that pybind11 gives a type leads to the name that stands in a stub.
 NAMES = ((r"\betak\._core\.", ""), (r"numpy\.ndarray\[numpy\.float64\]", "npt.NDArray[np.float64]"), (r"\bobject\b", "Any"),
          (r"\bdict\b", "Dict[str, Any]"), (r"\blist\b", "List[Any]"), (r"\btuple\b", "Tuple[Any, ...]"),
          (r"-> function", "-> Callable[..., Any]"), (r"= [^,)]*", "= ..."), (r"\*args\b", "*args: Any"))
