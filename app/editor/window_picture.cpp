@@ -10,7 +10,7 @@
 #include "app/editor/document/files.h"
 #include "app/editor/document/pictures.h"
 #include "app/editor/fields/press_id.h"
-#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/preview_bar.h"
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/color/ocio.h"
 #include "core/image/image_io.h"
-#include "core/material/f0_settings.h"
+#include "core/material/f0/f0_settings.h"
 
 namespace etak {
 namespace {

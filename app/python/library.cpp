@@ -9,11 +9,11 @@
 #include "core/color/srgb.h"
 #include "core/exchange/f0_worker.h"
 #include "core/material/catalogue.h"
-#include "core/material/f0_data.h"
+#include "core/material/f0/f0_data.h"
 #include "core/material/find.h"
 #include "core/material/material.h"
 #include "core/material/names.h"
-#include "core/material/optics_at.h"
+#include "core/material/optics/optics_at.h"
 #include "core/material/quality.h"
 
 namespace etak::python {

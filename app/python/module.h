@@ -26,7 +26,7 @@
 #include "core/exchange/material_input.h"
 #include "core/exchange/table.h"
 #include "core/judge/nearest.h"
-#include "core/material/f0_settings.h"
+#include "core/material/f0/f0_settings.h"
 #include "core/material/library.h"
 
 // The parts of etak._core. Every call that computes releases the lock of the interpreter (Unlocked) while it

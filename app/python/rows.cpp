@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
-#include "core/material/f0_steps.h"
+#include "core/material/f0/f0_steps.h"
 #include "core/material/limits.h"
 #include "core/spectrum/refinement.h"
 

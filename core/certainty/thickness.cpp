@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/color/delta_e.h"
-#include "core/material/optics_at.h"
+#include "core/material/optics/optics_at.h"
 #include "core/material/seen_stack.h"
 
 namespace etak {

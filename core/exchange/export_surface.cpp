@@ -13,7 +13,7 @@
 #include "core/exchange/export_values.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
-#include "core/material/optics_class.h"
+#include "core/material/optics/optics_class.h"
 #include "core/material/quality.h"
 #include "core/material/seen_stack.h"
 

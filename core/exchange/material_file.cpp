@@ -15,7 +15,7 @@
 #include "core/material/json.h"
 #include "core/material/limits.h"
 #include "core/material/names.h"
-#include "core/material/optics_class.h"
+#include "core/material/optics/optics_class.h"
 
 namespace etak {
 namespace {

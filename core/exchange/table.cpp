@@ -13,7 +13,7 @@
 #include "core/base/text/text.h"
 #include "core/exchange/table_columns.h"
 #include "core/material/limits.h"
-#include "core/material/medium.h"
+#include "core/material/optics/medium.h"
 
 namespace etak {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/material/f0_settings.h"
+#include "core/material/f0/f0_settings.h"
 
 namespace etak {
 

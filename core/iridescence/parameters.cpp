@@ -9,7 +9,7 @@
 #include "core/base/text/ascii.h"
 #include "core/color/channel_nm.h"
 #include "core/fresnel/fresnel.h"
-#include "core/material/optics_at.h"
+#include "core/material/optics/optics_at.h"
 #include "core/material/seen_stack.h"
 
 namespace etak {

@@ -11,7 +11,7 @@
 
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
-#include "core/material/f0_data.h"
+#include "core/material/f0/f0_data.h"
 #include "core/material/names.h"
 #include "core/spectrum/integration.h"
 #include "core/spectrum/interpolate.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/material/coverage.h"
 
-#include "core/material/f0_data.h"
+#include "core/material/f0/f0_data.h"
 
 namespace etak {
 

@@ -15,7 +15,7 @@
 #include "core/base/setting.h"
 #include "core/base/spares.h"
 #include "core/material/coverage.h"
-#include "core/material/f0_steps.h"
+#include "core/material/f0/f0_steps.h"
 #include "core/spectrum/refinement.h"
 
 namespace etak {

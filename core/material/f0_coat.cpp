@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/film/stack.h"
 #include "core/fresnel/fresnel.h"
-#include "core/material/f0_steps.h"
+#include "core/material/f0/f0_steps.h"
 #include "core/material/quality.h"
 
 namespace etak {

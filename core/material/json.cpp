@@ -10,8 +10,8 @@
 #include "core/material/dispersion.h"
 #include "core/material/limits.h"
 #include "core/material/material_node_json.h"
-#include "core/material/medium.h"
-#include "core/material/optics_class.h"
+#include "core/material/optics/medium.h"
+#include "core/material/optics/optics_class.h"
 #include "core/material/stack_text.h"
 
 namespace etak {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/number.h"
-#include "core/material/axes.h"
-#include "core/material/f0_data.h"
+#include "core/material/f0/f0_data.h"
+#include "core/material/optics/axes.h"
 
 namespace etak {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/text/ascii.h"
 #include "core/fresnel/fresnel.h"
-#include "core/material/f0_steps.h"
+#include "core/material/f0/f0_steps.h"
 
 namespace etak {
 

@@ -6,7 +6,7 @@
 
 #include "core/fresnel/fresnel.h"
 #include "core/material/dispersion.h"
-#include "core/material/f0_steps.h"
+#include "core/material/f0/f0_steps.h"
 #include "core/spectrum/interpolate.h"
 
 namespace etak {

@@ -84,7 +84,7 @@ struct PictureCodes {
 namespace f32 {
 #include "core/math/real_f32.h"
 
-#include "core/render/shade_chunk.h"
+#include "core/render/shade/shade_chunk.h"
 
 void respond(const Model& model, const double* values, const Range& range, Chunk& c) {
   const std::size_t first = range.first;
@@ -104,13 +104,13 @@ void respond_far(const Model& model, const double* values, double lh, const Rang
   model.f32_batch_far(range.last - first, lh, turned, values, rgb);
 }
 
-#include "core/render/shade_picture.h"
+#include "core/render/shade/shade_picture.h"
 }  // namespace f32
 
 namespace f64 {
 #include "core/math/real_f64.h"
 
-#include "core/render/shade_chunk.h"
+#include "core/render/shade/shade_chunk.h"
 
 void respond(const Model& model, const double* values, const Range& range, Chunk& c) {
   for (std::size_t i = range.first; i < range.last; ++i) {
@@ -126,7 +126,7 @@ void respond(const Model& model, const double* values, const Range& range, Chunk
 constexpr bool has_far_respond = false;
 void respond_far(const Model&, const double*, double, const Range&, Chunk&) {}
 
-#include "core/render/shade_picture.h"
+#include "core/render/shade/shade_picture.h"
 }  // namespace f64
 
 }  // namespace

@@ -15,7 +15,7 @@
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
-#include "core/material/optics_class.h"
+#include "core/material/optics/optics_class.h"
 #include "core/material/quality.h"
 #include "core/render/reference.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/brdf/models.h"
-#include "core/material/f0_settings.h"
+#include "core/material/f0/f0_settings.h"
 #include "core/render/scene.h"
 
 namespace etak {

@@ -4,8 +4,8 @@
 #include <QAbstractButton>
 #include <algorithm>
 
-#include "app/editor/panels/inspector.h"
-#include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/inspector/inspector.h"
+#include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/start_time.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"

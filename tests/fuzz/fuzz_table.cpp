@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/exchange/table.h"
-#include "core/material/medium.h"
+#include "core/material/optics/medium.h"
 
 using namespace etak;
 

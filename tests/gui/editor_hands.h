@@ -12,6 +12,8 @@
 #include <QStatusBar>
 
 #include "app/editor/document/files.h"
+#include "app/editor/panels/inspector/inspector.h"
+#include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/panels/library_model.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/problem_strip.h"
@@ -170,6 +172,19 @@ inline QByteArray project_bytes(const char* id) {
   project.materials.push_back(material_of(*library.find(id)));
   resolve(project, library);
   return QByteArray::fromStdString(format_project(project, ""));
+}
+
+/// The steps of undo that the document has taken.
+inline int steps_of(TestWindow& window) {
+  return window->document().undo_stack().index();
+}
+
+/// The row of a channel among the textures of the inspector; null where there is none.
+inline QWidget* texture_row(TestWindow& window, Channel channel) {
+  for (QWidget* each : window->inspector().textures().findChildren<QWidget*>())
+    if (each->property("channel").isValid() && each->property("channel").toInt() == static_cast<int>(channel))
+      return each;
+  return nullptr;
 }
 
 /// Drops files on a widget as the window system does. Returns whether the widget accepted the drag.

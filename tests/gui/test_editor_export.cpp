@@ -8,9 +8,9 @@
 #include <QStatusBar>
 #include <QXmlStreamReader>
 
-#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/inspector/inspector.h"
+#include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/panels/project_panel.h"
-#include "app/editor/panels/texture_section.h"
 #include "core/exchange/engine_values.h"
 #include "core/scene/gltf.h"
 #include "tests/gltf_judge.h"

@@ -14,7 +14,7 @@
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/findings_panel.h"
-#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/pack_dialog.h"
 #include "app/editor/panels/project_panel.h"

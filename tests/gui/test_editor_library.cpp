@@ -8,10 +8,10 @@
 #include <QTabWidget>
 
 #include "app/editor/curves/curves_panel.h"
-#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/inspector/inspector.h"
+#include "app/editor/panels/inspector/source_section.h"
 #include "app/editor/panels/library_model.h"
 #include "app/editor/panels/library_panel.h"
-#include "app/editor/panels/source_section.h"
 #include "core/material/embedded/unmeasured.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"

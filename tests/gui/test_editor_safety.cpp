@@ -13,7 +13,7 @@
 #include "app/editor/document/files.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/press_id.h"
-#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/project_panel.h"
 #include "core/base/files/input.h"
 #include "tests/gui/editor_hands.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the window shows is right and can be read: names, tooltips, paths, searches, findings, the first
-// window.
+// What the window shows is right and can be read: names, tooltips, paths, searches, the first window.
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
@@ -8,16 +7,14 @@
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <QTabWidget>
-#include <QTreeView>
 #include <algorithm>
 
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/fields/press_id.h"
-#include "app/editor/panels/findings_panel.h"
-#include "app/editor/panels/inspector.h"
-#include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/inspector/inspector.h"
+#include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"
 #include "tests/gui/editor_hands.h"
@@ -25,18 +22,6 @@
 
 using namespace etak;
 using namespace etak::editor;
-
-namespace {
-
-QString black_picture(TestWindow& window) {
-  QImage out(8, 8, QImage::Format_RGB32);
-  out.fill(Qt::black);
-  const QString file = window.file(QStringLiteral("black.png"));
-  out.save(file);
-  return file;
-}
-
-}  // namespace
 
 class EditorShown : public QObject {
   Q_OBJECT
@@ -368,91 +353,6 @@ class EditorShown : public QObject {
     QCOMPARE(label("Environment scale, field"), QStringLiteral("Scale \u00d7"));
     QCOMPARE(label("Environment turn, field"), QStringLiteral("Turn \u00b0"));
     QCOMPARE(label("Exposure, field"), QStringLiteral("Exposure EV"));
-  }
-
-  // What nothing in the material reads has no findings.
-  void findings_are_about_what_the_material_uses() {
-    TestWindow window(true);
-    QVERIFY(window->use_library_material(QStringLiteral("iron")));
-    ProjectMaterial m = *window->document().material();
-    const Material iron = *window->document().library()->find("iron");
-    for (const Dataset& each : iron.datasets) {
-      m.measured->dataset = each.id;
-      window->document().edit(0, m, QStringLiteral("dataset"), next_press_id());
-      QVERIFY(window.settle());
-      for (const auto& [name, findings] : window->validator().findings())
-        for (const Finding& finding : findings)
-          if (finding.pointer.starts_with("/datasets/"))
-            QVERIFY2(
-                iron.datasets[static_cast<std::size_t>(std::stoi(finding.pointer.substr(10)))].id == each.id,
-                finding.message.c_str());
-    }
-    // In the mode opaque, an alpha is read by nothing.
-    const auto has_alpha_finding = [&] {
-      for (const auto& [name, findings] : window->validator().findings())
-        for (const Finding& finding : findings)
-          if (finding.rule.starts_with("ETK5")) return true;
-      return false;
-    };
-    m.measured.reset();
-    m.diffuse = {0.3, 0.3, 0.3};
-    m.specular = {0.04, 0.04, 0.04};
-    m.texture(Channel::alpha) = ImageSource{black_picture(window).toStdString(), "r", ""};
-    m.alpha_mode = AlphaMode::blend;
-    window->document().edit(0, m, QStringLiteral("alpha"), next_press_id());
-    QVERIFY(window.settle());
-    QVERIFY(has_alpha_finding());
-    m.alpha_mode = AlphaMode::opaque;
-    window->document().edit(0, m, QStringLiteral("mode"), next_press_id());
-    QVERIFY(window.settle());
-    QVERIFY(!has_alpha_finding());
-  }
-
-  void a_double_click_on_a_finding_goes_to_what_it_is_about() {
-    TestWindow window(true);
-    QVERIFY(window->use_library_material(QStringLiteral("gold")));
-    QVERIFY(window->use_library_material(QStringLiteral("titanium")));
-    ProjectMaterial m = *window->document().material();
-    m.measured.reset();
-    m.name = "dark";
-    m.diffuse = {0.001, 0.001, 0.001};
-    m.specular = {0.3, 0.3, 0.3};
-    m.texture(Channel::gloss) = ImageSource{window.file(QStringLiteral("missing.png")).toStdString(), "", ""};
-    window->document().edit(1, m, QStringLiteral("dark"), next_press_id());
-    show_active(window);
-    QVERIFY(window.settle());
-    auto* table = named<QTreeView>(window->findings(), QStringLiteral("List of findings"));
-    QVERIFY(table != nullptr);
-    const auto go = [&](const char* rule) {
-      window->document().set_current(0);
-      window->inspector_tabs().setCurrentIndex(1);
-      window->findChild<QDockWidget*>(QStringLiteral("inspector"))->close();
-      for (int row = 0; row < table->model()->rowCount(); ++row) {
-        const QModelIndex at = table->model()->index(row, FindingsModel::rule_column);
-        if (at.data().toString() != QLatin1String(rule)) continue;
-        table->scrollTo(at);
-        const QPoint middle = table->visualRect(at).center();
-        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, middle);
-        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, middle);
-        QWidget* at_focus = QApplication::focusWidget();
-        return at_focus == nullptr ? QString() : at_focus->accessibleName();
-      }
-      return QStringLiteral("no finding of ") + QLatin1String(rule);
-    };
-    QCOMPARE(go("ETK001"), QStringLiteral("Gloss texture, file"));
-    QCOMPARE(window->document().current(), 1);
-    QVERIFY(window->inspector().isVisible());
-    m.texture(Channel::gloss).reset();
-    window->document().edit(1, m, QStringLiteral("gloss"), next_press_id());
-    QVERIFY(window.settle());
-    QCOMPARE(go("ETK101"), QStringLiteral("Specular, red, linear"));
-    // A finding about the record of another material leads to the record.
-    m = window->document().project().materials[0];
-    m.measured->material = "titanium";
-    window->document().edit(0, m, QStringLiteral("record"), next_press_id());
-    QVERIFY(window.settle());
-    QCOMPARE(go("ETK608"), QStringLiteral("Dataset"));
-    QCOMPARE(window->document().current(), 0);
   }
 
   void the_texel_under_the_cursor_is_told_and_arrow_keys_move_it() {

@@ -13,7 +13,7 @@
 
 #include "app/editor/fields/number_field.h"
 #include "app/editor/panels/drop_table.h"
-#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/inspector/inspector.h"
 #include "core/base/files/file.h"
 #include "core/scene/gltf.h"
 #include "tests/gltf_judge.h"

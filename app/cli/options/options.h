@@ -12,7 +12,7 @@
 #include "core/color/gloss.h"
 #include "core/exchange/material_input.h"
 #include "core/exchange/table.h"
-#include "core/material/f0_settings.h"
+#include "core/material/f0/f0_settings.h"
 #include "core/material/library.h"
 #include "core/render/typed.h"
 

@@ -15,7 +15,7 @@
 #include "core/light/area_lobes.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
-#include "core/material/optics_class.h"
+#include "core/material/optics/optics_class.h"
 #include "core/material/quality.h"
 #include "core/render/ambient/ambient.h"
 #include "core/render/display.h"

@@ -12,7 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text/free_names.h"
 #include "core/material/json.h"
-#include "core/material/optics_class.h"
+#include "core/material/optics/optics_class.h"
 #include "core/project/project_import.h"
 
 namespace etak::cli {

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-#include "app/editor/panels/sections.h"
+#include "app/editor/panels/inspector/sections.h"
 #include "app/viewport/qt_text.h"
 
 namespace etak::editor {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "app/editor/panels/sections.h"
+#include "app/editor/panels/inspector/sections.h"
 #include "app/viewport/qt_text.h"
 #include "core/judge/rules.h"
 

@@ -5,7 +5,7 @@
 #include <QMimeData>
 #include <QPainter>
 
-#include "app/editor/panels/data_sentences.h"
+#include "app/editor/panels/inspector/data_sentences.h"
 #include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"
 #include "app/viewport/viewport.h"

@@ -8,7 +8,7 @@
 
 #include "app/editor/fields/add_button.h"
 #include "app/editor/fields/flow_layout.h"
-#include "app/editor/panels/sections.h"
+#include "app/editor/panels/inspector/sections.h"
 #include "app/viewport/qt_text.h"
 #include "core/material/embedded/unmeasured.h"
 

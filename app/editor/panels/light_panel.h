@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/document/document.h"
-#include "app/editor/panels/fields_of.h"
+#include "app/editor/panels/inspector/fields_of.h"
 
 class QButtonGroup;
 

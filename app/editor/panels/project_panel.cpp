@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "app/editor/fields/add_button.h"
-#include "app/editor/panels/sections.h"
+#include "app/editor/panels/inspector/sections.h"
 #include "app/viewport/qt_picture.h"
 #include "core/color/srgb.h"
 

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "app/editor/document/pictures.h"
-#include "app/editor/panels/sections.h"
+#include "app/editor/panels/inspector/sections.h"
 #include "app/editor/panels/texel_text.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_picture.h"

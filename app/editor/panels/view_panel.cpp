@@ -8,7 +8,7 @@
 
 #include "app/editor/fields/add_button.h"
 #include "app/editor/fields/path_edit.h"
-#include "app/editor/panels/model_list.h"
+#include "app/editor/panels/inspector/model_list.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/material/axes.h"
+#include "core/material/optics/axes.h"
 
 namespace etak {
 

@@ -10,7 +10,7 @@
 #include "core/exchange/rii/rii_rows.h"
 #include "core/exchange/rii/yaml_lines.h"
 #include "core/material/dispersion.h"
-#include "core/material/medium.h"
+#include "core/material/optics/medium.h"
 
 namespace etak {
 namespace {

@@ -44,7 +44,7 @@ void parse_rii_page(std::string_view text, std::string_view file, RiiPage& page)
 Citation citation_of_page(const RiiPage& page, std::string_view path);
 
 /// A page of constants whose text still exists as a material with one dataset: citation, sample and axis taken
-/// from text and path as far as they can be. The class is that of decide_class() (core/material/optics_class.h); a conductor
+/// from text and path as far as they can be. The class is that of decide_class() (core/material/optics/optics_class.h); a conductor
 /// is named as sample_name() does.
 ///   id      material id; empty: made from the path's book folder
 Material material_of_page(RiiPage page, std::string_view path, std::string_view id);

@@ -16,9 +16,9 @@
 #include "core/exchange/rii/rii_page.h"
 #include "core/exchange/rii/sample_name.h"
 #include "core/exchange/rii/yaml_lines.h"
-#include "core/material/medium.h"
 #include "core/material/names.h"
-#include "core/material/optics_class.h"
+#include "core/material/optics/medium.h"
+#include "core/material/optics/optics_class.h"
 
 namespace etak {
 namespace {

@@ -14,9 +14,9 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/system.h"
-#include "core/material/alloy.h"
 #include "core/material/embedded/blob.h"
 #include "core/material/json.h"
+#include "core/material/optics/alloy.h"
 
 namespace fs = std::filesystem;
 

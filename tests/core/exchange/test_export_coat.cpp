@@ -14,7 +14,7 @@
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
-#include "core/material/f0_settings.h"
+#include "core/material/f0/f0_settings.h"
 #include "core/material/find.h"
 #include "core/spectrum/integration.h"
 #include "core/spectrum/interpolate.h"

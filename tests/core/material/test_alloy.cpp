@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/material/alloy.h"
+#include "core/material/optics/alloy.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@
 
 #include "core/material/f0.h"
 #include "core/material/json.h"
-#include "core/material/optics_at.h"
+#include "core/material/optics/optics_at.h"
 #include "tests/core/material/library_support.h"
 #include "tests/support.h"
 

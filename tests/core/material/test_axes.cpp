@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/material/axes.h"
+#include "core/material/optics/axes.h"
 
 #include <catch2/catch.hpp>
 

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "core/color/delta_e.h"
-#include "core/material/f0_settings.h"
-#include "core/material/f0_steps.h"
+#include "core/material/f0/f0_settings.h"
+#include "core/material/f0/f0_steps.h"
 #include "core/material/find.h"
 #include "tests/core/material/library_support.h"
 #include "tests/support.h"

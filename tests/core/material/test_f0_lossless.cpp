@@ -4,7 +4,7 @@
 #include "core/exchange/rii/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
-#include "core/material/medium.h"
+#include "core/material/optics/medium.h"
 #include "tests/core/material/f0_support.h"
 
 using namespace etak;

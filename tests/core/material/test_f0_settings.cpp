@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/material/f0_settings.h"
+#include "core/material/f0/f0_settings.h"
 
 #include <catch2/catch.hpp>
 

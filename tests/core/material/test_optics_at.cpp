@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/material/optics_at.h"
+#include "core/material/optics/optics_at.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/material/optics_class.h"
+#include "core/material/optics/optics_class.h"
 
 #include <catch2/catch.hpp>
 

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/film/stack.h"
-#include "core/material/f0_data.h"
-#include "core/material/f0_steps.h"
+#include "core/material/f0/f0_data.h"
+#include "core/material/f0/f0_steps.h"
 #include "core/material/json.h"
 #include "tests/core/material/library_support.h"
 #include "tests/support.h"

@@ -11,6 +11,8 @@
 
 namespace etak::test {
 
+inline const std::string open_pbr_model = "open_pbr_surface";
+
 /// A MaterialX document of one surface.
 ///   inputs   "name=type:value" each
 inline std::string material_x_of(const std::string& model, const std::vector<std::string>& inputs,
@@ -61,6 +63,18 @@ inline CheckedFile checked_document(const std::string& file, const std::string& 
   target.label = file;
   if (role) target.files = {{*role, folder.file(file), file, false}};
   return checked(target);
+}
+
+/// A MaterialX document around some nodes.
+inline std::string in_material_x(const std::string& inside) {
+  return "<materialx version=\"1.39\">\n" + inside + "\n</materialx>\n";
+}
+
+/// Rules and messages of all findings, a line for each.
+inline std::string remarks_on(const CheckedFile& file) {
+  std::string out;
+  for (const Finding& each : file.findings) out += each.rule + ": " + each.message + "\n";
+  return out;
 }
 
 }  // namespace etak::test
