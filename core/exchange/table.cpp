@@ -63,27 +63,20 @@ std::string_view content(std::string_view line) {
   return line.find_first_not_of(" \t") == line.npos ? std::string_view() : line;
 }
 
+// The blocks of a table with their rows as they stand in the file, and what had to be changed in them.
+struct TableBlocks {
+  std::vector<Block> blocks;
+  Flags flags;
+};
+
+// From text to rows.
 class TableReader {
  public:
   /// others   how many columns of other quantities than n, k and R; 0: of these
-  TableReader(std::string_view text, std::string_view file, const TableOptions& options,
-              std::size_t others = 0)
+  TableReader(std::string_view text, std::string_view file, const TableOptions& options, std::size_t others)
       : text_(text), file_(file), options_(options), others_(others) {}
 
-  Table read() {
-    read_blocks();
-    return assemble();
-  }
-
-  std::vector<Spectrum> read_others() {
-    read_blocks();
-    std::vector<Spectrum> out;
-    for (std::size_t c = 0; c < others_; ++c) out.push_back(spectrum(blocks_.front(), c));
-    return out;
-  }
-
- private:
-  void read_blocks() {
+  TableBlocks read() {
     if (text_.empty()) throw Error::at(file_, "the file is empty");
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     std::size_t at = 0;
@@ -94,9 +87,10 @@ class TableReader {
       at = next_;
     }
     if (blocks_.empty()) throw Error::at(file_, "no rows", "a header and rows of numbers");
-    for (auto& block : blocks_) finish(block);
+    return {std::move(blocks_), flags_};
   }
 
+ private:
   [[noreturn]] void fail(std::size_t line, std::string_view found, std::string_view expected = {}) const {
     throw Error::at_line(file_, line, found, expected);
   }
@@ -259,6 +253,62 @@ class TableReader {
     }
   }
 
+  std::string_view text_, file_;
+  const TableOptions& options_;
+  std::size_t others_;
+  std::size_t line_ = 0, next_ = 0;
+  std::vector<Block> blocks_;
+  std::vector<std::string_view> fields_;
+  Flags flags_;
+};
+
+// From the rows of a file to spectra: sorted, and one row for each wavelength.
+class TableRows {
+ public:
+  TableRows(TableBlocks read, std::string_view file, const TableOptions& options)
+      : file_(file), options_(options), blocks_(std::move(read.blocks)), flags_(read.flags) {
+    for (Block& block : blocks_) finish(block);
+  }
+
+  Table table() const {
+    std::array<const Block*, 3> source{};
+    for (const Block& block : blocks_)
+      for (std::size_t c = 0; c < source.size(); ++c) {
+        if (!block.has[c]) continue;
+        if (source[c] != nullptr)
+          fail(block.line, "the same column in both blocks", "n in one and k in the other");
+        source[c] = &block;
+      }
+    Table table;
+    table.flags = flags_;
+    if (source[2] != nullptr) {
+      if (source[0] != nullptr || source[1] != nullptr)
+        fail(source[2]->line, "both R and n or k", "either of them (\"_\" skips a column)");
+      table.optics = Reflectance{spectrum(*source[2], 2)};
+      return table;
+    }
+    if (source[0] == nullptr) fail(blocks_[0].line, "k without n", "a column of n");
+    OpticalConstants constants;
+    constants.n = spectrum(*source[0], 0);
+    if (source[1] != nullptr) constants.k = spectrum(*source[1], 1);
+    if (const auto nm = no_medium_at(constants))
+      for (const TableRow& row : source[0]->rows)
+        if (row.nm == *nm) fail(row.line, "n = 0 with k = 0", "n above 0, or k above 0");
+    table.optics = std::move(constants);
+    return table;
+  }
+
+  std::vector<Spectrum> columns(std::size_t count) const {
+    std::vector<Spectrum> out;
+    for (std::size_t c = 0; c < count; ++c) out.push_back(spectrum(blocks_.front(), c));
+    return out;
+  }
+
+ private:
+  [[noreturn]] void fail(std::size_t line, std::string_view found, std::string_view expected = {}) const {
+    throw Error::at_line(file_, line, found, expected);
+  }
+
   // Brings the rows of a block into ascending order of wavelength and merges those of equal wavelength.
   void finish(Block& block) {
     auto& rows = block.rows;
@@ -333,40 +383,9 @@ class TableReader {
     return out;
   }
 
-  Table assemble() {
-    std::array<const Block*, 3> source{};
-    for (const Block& block : blocks_)
-      for (std::size_t c = 0; c < source.size(); ++c) {
-        if (!block.has[c]) continue;
-        if (source[c] != nullptr)
-          fail(block.line, "the same column in both blocks", "n in one and k in the other");
-        source[c] = &block;
-      }
-    Table table;
-    table.flags = flags_;
-    if (source[2] != nullptr) {
-      if (source[0] != nullptr || source[1] != nullptr)
-        fail(source[2]->line, "both R and n or k", "either of them (\"_\" skips a column)");
-      table.optics = Reflectance{spectrum(*source[2], 2)};
-      return table;
-    }
-    if (source[0] == nullptr) fail(blocks_[0].line, "k without n", "a column of n");
-    OpticalConstants constants;
-    constants.n = spectrum(*source[0], 0);
-    if (source[1] != nullptr) constants.k = spectrum(*source[1], 1);
-    if (const auto nm = no_medium_at(constants))
-      for (const TableRow& row : source[0]->rows)
-        if (row.nm == *nm) fail(row.line, "n = 0 with k = 0", "n above 0, or k above 0");
-    table.optics = std::move(constants);
-    return table;
-  }
-
-  std::string_view text_, file_;
+  std::string_view file_;
   const TableOptions& options_;
-  std::size_t others_;
-  std::size_t line_ = 0, next_ = 0;
   std::vector<Block> blocks_;
-  std::vector<std::string_view> fields_;
   Flags flags_;
 };
 
@@ -432,12 +451,12 @@ double to_nm(double value, WavelengthUnit unit) {
 }
 
 Table parse_table(std::string_view text, std::string_view file, const TableOptions& options) {
-  return TableReader(text, file, options).read();
+  return TableRows(TableReader(text, file, options, 0).read(), file, options).table();
 }
 
 std::vector<Spectrum> parse_columns(std::string_view text, std::string_view file, std::size_t count,
                                     const TableOptions& options) {
-  return TableReader(text, file, options, count).read_others();
+  return TableRows(TableReader(text, file, options, count).read(), file, options).columns(count);
 }
 
 }  // namespace etak

@@ -37,6 +37,22 @@ bool tells_of_theory(std::string_view comments) {
   return false;
 }
 
+// Why n of a table is not positive where it is used, 360..830 nm; empty: it is. A row is used between its neighbours;
+// the first and the last one also beyond the table, where their values are held.
+std::string sign_refusal(const OpticalConstants& optics, Flags& flags) {
+  const auto& n = std::get<Spectrum>(optics.n);
+  for (std::size_t i = 0; i < n.size(); ++i) {
+    if (n.value[i] > 0 || (n.value[i] == 0 && !no_medium_in_row(optics, i))) continue;
+    flags.set(Flag::n_not_positive);
+    const bool ends_before = i + 1 < n.size() && n.wavelength_nm[i + 1] <= grid_first_nm;
+    const bool starts_behind = i > 0 && n.wavelength_nm[i - 1] >= grid_last_nm;
+    if (ends_before || starts_behind) continue;
+    return "n = " + number(n.value[i], 6) + " at " + number(n.wavelength_nm[i], 9) +
+           " nm is used inside 360..830 nm; n must be positive";
+  }
+  return {};
+}
+
 class PageReader {
  public:
   PageReader(std::string_view text, std::string_view file, RiiPage& page, Rows& rows)
@@ -258,22 +274,7 @@ class PageReader {
       page_.refusal = has_k_ ? "no n given" : "nonlinear index (n2) only";
       optics_.n.emplace<Spectrum>();
     } else if (n_from_ != Source::formula && least_n_ <= 0) {
-      check_sign(std::get<Spectrum>(optics_.n));
-    }
-  }
-
-  // A row is used between its neighbours; the first and the last one also beyond the table, where their
-  // values are held.
-  void check_sign(const Spectrum& n) {
-    for (std::size_t i = 0; i < n.size(); ++i) {
-      if (n.value[i] > 0 || (n.value[i] == 0 && !no_medium_in_row(optics_, i))) continue;
-      page_.flags.set(Flag::n_not_positive);
-      const bool ends_before = i + 1 < n.size() && n.wavelength_nm[i + 1] <= grid_first_nm;
-      const bool starts_behind = i > 0 && n.wavelength_nm[i - 1] >= grid_last_nm;
-      if (ends_before || starts_behind) continue;
-      page_.refusal = "n = " + number(n.value[i], 6) + " at " + number(n.wavelength_nm[i], 9) +
-                      " nm is used inside 360..830 nm; n must be positive";
-      return;
+      page_.refusal = sign_refusal(optics_, page_.flags);
     }
   }
 
