@@ -109,7 +109,7 @@ struct ResolutionJob {
     return out;
   }
   Resolution of(const MipPair& chain, const WrapBoth& wrap, const PixelBox& looked_at) const {
-    return resolution_of(chain, mask, wrap, looked_at, unseen, options.leave_out.max_error,
+    return resolution_of(chain, {mask, unseen, options.leave_out.max_error}, wrap, looked_at,
                          options.run.threads);
   }
 };

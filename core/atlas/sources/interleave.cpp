@@ -10,10 +10,15 @@
 namespace etak {
 namespace {
 
-// Any layout: `step` bytes apart, a constant when the step is 0.
-void interleave_any(std::uint8_t* rgba, std::size_t texels, const std::uint8_t* r, const std::uint8_t* g,
-                    const std::uint8_t* b, std::size_t color_step, const std::uint8_t* a,
-                    std::size_t grey_step) {
+// The first values of the four channels, and how many bytes lie from one to the next; 0: the channel is a constant.
+struct ChannelBytes {
+  const std::uint8_t *r, *g, *b, *a;
+  std::size_t color_step, grey_step;
+};
+
+// Channels in any layout; `from` is a copy, which the bytes that are written cannot change.
+void interleave_any(std::uint8_t* rgba, std::size_t texels, const ChannelBytes from) {
+  const auto [r, g, b, a, color_step, grey_step] = from;
   for (std::size_t i = 0; i < texels; ++i) {
     rgba[4 * i] = r[i * color_step];
     rgba[4 * i + 1] = g[i * color_step];
@@ -68,8 +73,9 @@ void interleave(std::uint8_t* rgba, std::size_t texels, const std::uint8_t* colo
   const std::uint8_t* g = color == nullptr ? &color_rows.source().constant[1] : color + pick[1];
   const std::uint8_t* b = color == nullptr ? &color_rows.source().constant[2] : color + pick[2];
   const std::uint8_t* a = grey == nullptr ? &grey_rows.source().constant[0] : grey + grey_rows.pick()[0];
-  interleave_any(rgba + 4 * done, texels - done, r + done * color_step, g + done * color_step,
-                 b + done * color_step, color_step, a + done * grey_step, grey_step);
+  interleave_any(rgba + 4 * done, texels - done,
+                 {r + done * color_step, g + done * color_step, b + done * color_step, a + done * grey_step,
+                  color_step, grey_step});
 }
 
 }  // namespace etak

@@ -251,10 +251,11 @@ void Composer::mips_by_copy(std::size_t region, const PlannedPlace& at, int leve
   if (of.shrink > 0 && m.has_normals() && levels > 1) {
     // The spread of all normals counts, also of those between the texels that are stored.
     const MaterialPair& whole = pair_of(of.material);
-    chain = levels_from(of.shrink, levels, part_of(whole.diffuse_alpha, of.box),
-                        part_of(whole.specular_gloss, of.box), m, of.box, options_.gloss);
+    a = part_of(whole.diffuse_alpha, of.box);
+    b = part_of(whole.specular_gloss, of.box);
+    chain = levels_from(of.shrink, levels, PairPart<std::uint8_t>{m, of.box, a, b}, options_.gloss);
   } else {
-    chain = levels_from(0, levels, a, b, m, of.box, options_.gloss);
+    chain = levels_from(0, levels, PairPart<std::uint8_t>{m, of.box, a, b}, options_.gloss);
   }
   place_levels(chain, at, m.wrap_of(of.box), 1, levels,
                [&](Texture texture, int level) { return pixels.view(texture, level); });
@@ -283,10 +284,10 @@ void Composer::region_mips(std::size_t region, PagePixels& pixels) {
     if (levels == 1 && !options_.bleed && regions_[region].outline != 0 && regions_[region].shrink == 0)
       return;
     const std::size_t pieces = end_of_outline(region) - region;
-    return place_outline({{&regions_[region], pieces}, {&plan_.places[region], pieces}}, pair_of(owner),
-                         normals_for(owner, levels), materials_[owner], levels, options_.gloss,
-                         options_.bleed,
-                         [&](Texture texture, int level) { return pixels.view(texture, level); });
+    return place_outline(
+        {{&regions_[region], pieces}, {&plan_.places[region], pieces}},
+        OutlinePictures<MaterialPair>{materials_[owner], pair_of(owner), normals_for(owner, levels)}, levels,
+        options_, [&](Texture texture, int level) { return pixels.view(texture, level); });
   }
   if ((levels > 1 || options_.bleed) && !mips_in_place(region, at, levels, pixels))
     mips_by_copy(region, at, levels, pixels);

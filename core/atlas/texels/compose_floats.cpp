@@ -45,12 +45,12 @@ void place_region(const FloatPair& pair, const PackInput& m, const Region& regio
                   at.rotated);
     }
   }
-  MipPairFloat chain =
-      levels_from(region.shrink, levels, a, b, m, region.box, options.gloss, options.threads);
+  const PairPart<float> part{m, region.box, a, b};
+  MipPairFloat chain = levels_from(region.shrink, levels, part, options.gloss, options.threads);
   // The level that is stored is looked at with its normals; those after it stand for their spread.
   if (region.shrink > 0 && m.has_normals() && levels > 1)
     chain.specular_gloss[0] =
-        levels_from(region.shrink, 1, a, b, m, region.box, options.gloss, options.threads).specular_gloss[0];
+        levels_from(region.shrink, 1, part, options.gloss, options.threads).specular_gloss[0];
   place_levels(chain, at, m.wrap_of(region.box), region.shrink > 0 ? 0 : 1, levels, level_of);
 }
 
@@ -85,8 +85,8 @@ FloatPage compose_floats(int page, int levels, const std::vector<PackInput>& mat
     if (!has_texels_around(regions[r], m))
       place_region(pair, m, regions[r], plan.places[r], placed, options, out);
     else
-      place_outline({{&regions[r], end - r}, {&plan.places[r], end - r}}, pair,
-                    with_normals ? &normals : nullptr, m, placed, options.gloss, options.bleed,
+      place_outline({{&regions[r], end - r}, {&plan.places[r], end - r}},
+                    OutlinePictures<FloatPair>{m, pair, with_normals ? &normals : nullptr}, placed, options,
                     [&](Texture texture, int level) { return out.view(texture, level); });
   }
   if (levels > clean)

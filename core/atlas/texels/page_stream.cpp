@@ -63,13 +63,14 @@ std::size_t largest_slab(const std::vector<int>& cuts, const PlannedPage& page) 
 // Writes one level of one texture to a file, slab after slab.
 class LevelFile {
  public:
-  LevelFile(OutputFolder& folder, int page, Texture texture, int level, const PixelsView8& size, int height,
-            PngLevel png_level, const std::shared_ptr<PngBands::Scratch>& scratch)
-      : texture_(texture), level_(level), file_(folder.open(page_file(page, texture, "png", level))) {
+  ///   width   of the level, in texels
+  LevelFile(const StreamedPage& of, Texture texture, int level, int width,
+            const std::shared_ptr<PngBands::Scratch>& scratch)
+      : texture_(texture), level_(level), file_(of.folder->open(page_file(of.page, texture, "png", level))) {
     PngOptions options;
-    options.level = png_level;
+    options.level = *of.write.png_level;
     bands_ = std::make_unique<PngBands>(
-        PictureHeader{size.width, height, 4, 8}, options,
+        PictureHeader{width, std::max(1, of.size().height >> level), 4, 8}, options,
         [this](std::string_view bytes) { file_->add(bytes); }, scratch);
   }
 
@@ -105,9 +106,8 @@ class LevelFiles {
     for (int l = begin; l < end && of_.folder != nullptr; ++l)
       for (const Texture texture : both_textures)
         if (of_.size().has[index_of(texture)])
-          files_.push_back(std::make_unique<LevelFile>(
-              *of_.folder, of_.page, texture, l, pixels.view(texture, l), std::max(1, of_.size().height >> l),
-              *of_.write.png_level, scratch_));
+          files_.push_back(
+              std::make_unique<LevelFile>(of_, texture, l, pixels.view(texture, l).width, scratch_));
   }
   // The pieces of work that compress the rows in `from`.
   std::vector<Strip> strips(const PagePixels& from) const {

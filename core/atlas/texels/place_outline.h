@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "core/atlas/texels/compose.h"
 #include "core/atlas/texels/place_texels.h"
 
 namespace etak {
@@ -71,30 +72,39 @@ void clamp_levels(std::vector<Pixels<Value>>& levels, PixelBox inside, const Wra
   }
 }
 
-/// Levels [0, levels) of a part with their gutters, of which the first is a level of the picture that its regions name.
+/// What a part is taken from.
 ///   whole     the pictures of its material
 ///   normals   of the same size; null: none, or not needed
-///   page      as of place_levels()
+template <class Pair>
+struct OutlinePictures {
+  const PackInput& material;
+  const Pair& whole;
+  const Image8* normals = nullptr;
+};
+
+/// Levels [0, levels) of a part with their gutters, of which the first is a level of the picture that its regions name.
+///   page   as of place_levels()
 template <class Pair, class Page>
-void place_outline(const OutlineOnPage& outline, const Pair& whole, const Image8* normals, const PackInput& m,
-                   int levels, GlossForm gloss, bool bleed, const Page& page) {
+void place_outline(const OutlineOnPage& outline, const OutlinePictures<Pair>& pictures, int levels,
+                   const ComposeOptions& how, const Page& page) {
+  const auto& [m, whole, normals] = pictures;
   const int first = outline.pieces[0].shrink;
   const PixelBox cells = outline.cells(), stored = outline.in_picture(cells);
   const PixelBox from{stored.x * (1 << first), stored.y * (1 << first), stored.width << first,
                       stored.height << first};
   auto a = texels_around(whole.diffuse_alpha, from, m.wrap),
        b = texels_around(whole.specular_gloss, from, m.wrap);
-  if (bleed) bleed_under_alpha(a, b);
+  if (how.bleed) bleed_under_alpha(a, b);
   MipOptions options = mip_options(m, first + levels);
   std::optional<Image8> around_here;
   if (normals != nullptr) options.normals = &around_here.emplace(texels_around(*normals, from, m.wrap));
-  auto chain = region_chain(a, b, options, gloss);
+  auto chain = region_chain(a, b, options, how.gloss);
   if (first > 0 && normals != nullptr) {
     // The level that is stored is looked at with its normals; those after it stand for their spread.
     options.levels = first + 1;
     options.normals = nullptr;
     chain.specular_gloss[static_cast<std::size_t>(first)] =
-        std::move(region_chain(a, b, options, gloss).specular_gloss.back());
+        std::move(region_chain(a, b, options, how.gloss).specular_gloss.back());
   }
   PixelBox inside = common_part(from, {0, 0, m.width, m.height});
   inside.x -= from.x;

@@ -170,25 +170,22 @@ MipOptions mip_options(const PackInput& material, int levels) {
 }
 
 template <class Value>
-MipPairOf<Value> levels_from(int first, int levels, const Pixels<Value>& a, const Pixels<Value>& b,
-                             const PackInput& material, const PixelBox& box, GlossForm gloss,
+MipPairOf<Value> levels_from(int first, int levels, const PairPart<Value>& part, GlossForm gloss,
                              unsigned threads) {
-  MipOptions options = mip_options(material, first + levels);
+  MipOptions options = mip_options(part.material, first + levels);
   std::optional<Image8> normals;
-  if (material.has_normals() && levels > 1) {
-    normals = normals_of(material, box);
+  if (part.material.has_normals() && levels > 1) {
+    normals = normals_of(part.material, part.box);
     options.normals = &*normals;
   }
-  MipPairOf<Value> out = region_chain(a, b, options, gloss, threads);
+  MipPairOf<Value> out = region_chain(part.a, part.b, options, gloss, threads);
   for (auto* images : {&out.diffuse_alpha, &out.specular_gloss})
     images->erase(images->begin(), images->begin() + std::min(first, static_cast<int>(images->size()) - 1));
   return out;
 }
 
-template MipPair levels_from(int, int, const Image8&, const Image8&, const PackInput&, const PixelBox&,
-                             GlossForm, unsigned);
-template MipPairFloat levels_from(int, int, const Image&, const Image&, const PackInput&, const PixelBox&,
-                                  GlossForm, unsigned);
+template MipPair levels_from(int, int, const PairPart<std::uint8_t>&, GlossForm, unsigned);
+template MipPairFloat levels_from(int, int, const PairPart<float>&, GlossForm, unsigned);
 
 ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,
                                  const PixelBox& looked_at, double enough, unsigned threads) {
@@ -223,8 +220,8 @@ PixelBox whole_texels(const PixelBox& box, int level) {
   return {x, y, end(box.x + box.width) - x, end(box.y + box.height) - y};
 }
 
-Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, const PixelBox& looked_at,
-                         int unseen, std::optional<double> bound, unsigned threads) {
+Resolution resolution_of(const MipPair& levels, const ResolutionLimits& limits, const WrapBoth& wrap,
+                         const PixelBox& looked_at, unsigned threads) {
   const int deepest = static_cast<int>(levels.diffuse_alpha.size()) - 1;
   const auto level = [&](int l) {
     return MaterialPair{levels.diffuse_alpha[static_cast<std::size_t>(l)],
@@ -232,7 +229,7 @@ Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap,
   };
   constexpr double any = 1e9;
   Resolution out;
-  const int free = out.shrink = std::min(unseen, deepest);
+  const int free = out.shrink = std::min(limits.unseen, deepest);
   const MaterialPair reference = level(free);
   const PixelBox seen_at = whole_texels(looked_at, free);
   const auto varies = [](const Image8& picture) {
@@ -240,10 +237,11 @@ Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap,
       if (picture.values[i] != picture.values[3]) return true;
     return false;
   };
-  if (bound && !(mask && varies(reference.diffuse_alpha)))
+  if (limits.bound && !(limits.mask && varies(reference.diffuse_alpha)))
     for (int l = free + 1; l <= deepest; ++l) {
-      const ResolutionError error = resolution_error(reference, level(l), wrap, seen_at, *bound, threads);
-      if (error.delta_e > *bound) break;
+      const ResolutionError error =
+          resolution_error(reference, level(l), wrap, seen_at, *limits.bound, threads);
+      if (error.delta_e > *limits.bound) break;
       out.shrink = l;
       out.seen = error;
     }
@@ -255,8 +253,8 @@ Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap,
 
 MaterialPair stored_pair(const MaterialPair& pair, const Region& region, const PackInput& material,
                          GlossForm gloss) {
-  MipPair stored = levels_from(region.shrink, 1, part_of(pair.diffuse_alpha, region.box),
-                               part_of(pair.specular_gloss, region.box), material, region.box, gloss);
+  const Image8 a = part_of(pair.diffuse_alpha, region.box), b = part_of(pair.specular_gloss, region.box);
+  MipPair stored = levels_from(region.shrink, 1, PairPart<std::uint8_t>{material, region.box, a, b}, gloss);
   return {std::move(stored.diffuse_alpha.front()), std::move(stored.specular_gloss.front())};
 }
 

@@ -37,15 +37,22 @@ struct Resolution {
   ResolutionError whole;  // against level 0
 };
 
+/// How far a region's texels may be halved.
+///   mask      its alpha is tested. Where that varies the region stays as it is beyond `unseen`: a small difference of
+///             alpha is a large one of what is seen
+///   unseen    halvings that cost nothing that can be seen
+///   bound     of Resolution::seen.delta_e for halvings beyond those; none: there are no others
+struct ResolutionLimits {
+  bool mask = false;
+  int unseen = 0;
+  std::optional<double> bound = {};
+};
+
 /// The fewest texels for a region.
 ///   levels    the mip chain of the region, level 0 first, as deep as the result may go
-///   unseen    halvings that cost nothing that can be seen
-///   bound     of `seen.delta_e` for halvings beyond those; none: there are no others
 ///   looked_at   the texels of level 0 that count
-/// A pair whose alpha is tested (`mask`) and varies stays as it is beyond `unseen`: a small difference of
-/// alpha is a large one of what is seen.
-Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, const PixelBox& looked_at,
-                         int unseen, std::optional<double> bound, unsigned threads);
+Resolution resolution_of(const MipPair& levels, const ResolutionLimits& limits, const WrapBoth& wrap,
+                         const PixelBox& looked_at, unsigned threads);
 
 /// Mips of a region, as mip_pair() makes them, for gloss in any form. A roughness is averaged as the squared
 /// width of its lobe, to which the normals add twice their variance s2 = (1 - |N|) / |N|:
@@ -58,13 +65,19 @@ MipPairOf<Value> region_chain(const Pixels<Value>& a, const Pixels<Value>& b, Mi
 /// What mips of a material's texels are made with: so many levels, and alpha as the material tests it.
 MipOptions mip_options(const PackInput& material, int levels);
 
-/// Mips of a part of a material's pictures from level `first` on, `levels` of them; of those after that one
-/// the gloss is lowered by the spread of the material's normals. A chain that ends earlier gives fewer, but
-/// its last level always.
-///   a, b   the texels of `box` in the material's two pictures
+/// A part of a material's two pictures.
+///   a, b   the texels of `box` in them
 template <class Value>
-MipPairOf<Value> levels_from(int first, int levels, const Pixels<Value>& a, const Pixels<Value>& b,
-                             const PackInput& material, const PixelBox& box, GlossForm gloss,
+struct PairPart {
+  const PackInput& material;
+  const PixelBox& box;
+  const Pixels<Value>&a, &b;
+};
+
+/// Mips of such a part from level `first` on, `levels` of them; of those after that one the gloss is lowered by the
+/// spread of the material's normals. A chain that ends earlier gives fewer, but its last level always.
+template <class Value>
+MipPairOf<Value> levels_from(int first, int levels, const PairPart<Value>& part, GlossForm gloss,
                              unsigned threads = 1);
 
 /// The region as it is stored at level 0, without its gutter.
