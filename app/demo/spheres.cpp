@@ -91,8 +91,8 @@ void add_spheres(const MaterialLibrary& library, unsigned threads, StartPageData
     const auto material = library.find(shown_materials[i]);
     if (!material) throw Error::at(std::string(shown_materials[i]), "is not in the library");
     const SurfaceValues surface = surface_of(*material, material->preferred_dataset(), {}, gloss);
-    looks[i] = sphere_looks(fresnel_truth(surface.optics.value(), material->id), forms, studio, gloss,
-                            exposure, side, surface.passing);
+    looks[i] = sphere_looks(fresnel_truth(surface.optics.value(), material->id), forms, studio,
+                            {gloss, exposure, side, surface.passing});
     data.materials[i] = drawn(*material, looks[i], surface.passing.has_value());
   });
   const CostTable& costs = shipped_costs();

@@ -16,14 +16,23 @@ bool is_container(std::string_view format) {
   return format == "ktx2" || format == "dds";
 }
 
-void write_container(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
-                     const std::string& format, const WriteOptions& options, const TextureInBlocks* blocks) {
+// One texture of a page.
+struct PageTexture {
+  int page;
+  Texture texture;
+  const PagePixels& pixels;
+};
+
+void write_container(OutputFolder& folder, const PageTexture& of, const std::string& format,
+                     const WriteOptions& options, const TextureInBlocks* blocks) {
+  const PagePixels& pixels = of.pixels;
+  const Texture texture = of.texture;
   std::vector<ConstPixelsView8> texels;
   for (int l = 0; l < pixels.levels(); ++l) texels.push_back(pixels.view(texture, l));
   std::vector<TextureLevel> levels = texture_levels(texels);
   for (std::size_t l = 0; blocks != nullptr && l < levels.size(); ++l) levels[l].bytes = blocks->levels[l];
   const BlockFormat* const code = blocks != nullptr ? blocks->format : nullptr;
-  const auto file = folder.open(page_file(page, texture, format));
+  const auto file = folder.open(page_file(of.page, texture, format));
   const FileSink sink{[&](std::string_view bytes) { file->add(bytes); },
                       [&](std::size_t at, std::string_view bytes) { file->patch(at, bytes); }};
   if (format == "ktx2")
@@ -33,27 +42,27 @@ void write_container(OutputFolder& folder, int page, Texture texture, const Page
   file->close();
 }
 
-void write_pngs(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
-                const WriteOptions& options) {
-  for (int l = 0; l < pixels.levels(); ++l) {
-    const PixelsView8 view = pixels.view(texture, l);
+void write_pngs(OutputFolder& folder, const PageTexture& of, const WriteOptions& options) {
+  for (int l = 0; l < of.pixels.levels(); ++l) {
+    const PixelsView8 view = of.pixels.view(of.texture, l);
     const PictureHeader info{view.width, view.height, 4, 8};
     const PngRows image{info, view.data, view.stride};
     PngOptions png;
     png.level = options.png_level ? *options.png_level : png_level_for(image);
     png.threads = options.threads;
-    folder.write(page_file(page, texture, "png", l), [&](const std::function<void(std::string_view)>& sink) {
-      // The file's header comes first, then a strip of rows with each call, then the end of the file.
-      int calls = 0, rows = 0;
-      const auto telling = [&](std::string_view bytes) {
-        sink(bytes);
-        if (calls++ == 0 || l != 0 || !options.written || rows == info.height) return;
-        const int more = std::min(png_strip_rows(info, png.level), info.height - rows);
-        rows += more;
-        options.written(static_cast<std::size_t>(more) * static_cast<std::size_t>(info.width));
-      };
-      write_png(image, png, telling);
-    });
+    folder.write(page_file(of.page, of.texture, "png", l),
+                 [&](const std::function<void(std::string_view)>& sink) {
+                   // The file's header comes first, then a strip of rows with each call, then the end of the file.
+                   int calls = 0, rows = 0;
+                   const auto telling = [&](std::string_view bytes) {
+                     sink(bytes);
+                     if (calls++ == 0 || l != 0 || !options.written || rows == info.height) return;
+                     const int more = std::min(png_strip_rows(info, png.level), info.height - rows);
+                     rows += more;
+                     options.written(static_cast<std::size_t>(more) * static_cast<std::size_t>(info.width));
+                   };
+                   write_png(image, png, telling);
+                 });
   }
 }
 
@@ -85,11 +94,12 @@ std::vector<std::string> page_files(int page, Texture texture, int levels,
 
 void write_page(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
                 const WriteOptions& options, const TextureInBlocks* blocks) {
+  const PageTexture of{page, texture, pixels};
   for (const std::string& format : options.formats) {
     if (format == "png")
-      write_pngs(folder, page, texture, pixels, options);
+      write_pngs(folder, of, options);
     else if (!holds_floats(format))
-      write_container(folder, page, texture, pixels, format, options, blocks);
+      write_container(folder, of, format, options, blocks);
   }
 }
 

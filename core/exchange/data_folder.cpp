@@ -88,10 +88,18 @@ Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
   return out;
 }
 
+// What a listing has found so far: each folder once, also where several links lead to it.
+struct Listed {
+  Folder out;
+  std::set<Identity> seen = {};
+  std::vector<std::string> linked_folders = {};  // that were met and not listed yet
+};
+
 // Lists `level` and everything below it, level by level, each level on all threads.
 //   through_link   a link leads to these folders
 void descend(std::vector<std::string> level, unsigned threads, bool (*keep)(std::string_view),
-             bool through_link, std::set<Identity>& seen, Folder& out, std::vector<std::string>& linked) {
+             bool through_link, Listed& listed) {
+  auto& [out, seen, linked] = listed;
   while (!level.empty()) {
     std::vector<Listing> listings(level.size());
     parallel_chunks(level.size(), threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
@@ -124,27 +132,25 @@ bool is_material_file_name(std::string_view path) {
 }
 
 Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::string_view)) {
-  Folder out;
+  Listed listed;
+  Folder& out = listed.out;
   out.root = path.ends_with('/') ? path : path + '/';
   for (const std::string& base : {out.root + "database/", out.root})
     if (exists(base + "catalog-nk.yml") && is_folder(base + "data")) {
       out.root = base + "data/";
       break;
     }
-  std::set<Identity> seen;
-  std::vector<std::string> linked;
-  descend({out.root}, threads, keep, false, seen, out, linked);
-  if (seen.empty()) throw Error(out.unreadable.front());
-  while (!linked.empty()) {
+  descend({out.root}, threads, keep, false, listed);
+  if (listed.seen.empty()) throw Error(out.unreadable.front());
+  while (!listed.linked_folders.empty()) {
+    std::vector<std::string> linked = std::exchange(listed.linked_folders, {});
     std::sort(linked.begin(), linked.end());
-    std::vector<std::string> deeper;
-    for (const std::string& folder : linked) descend({folder}, threads, keep, true, seen, out, deeper);
-    linked = std::move(deeper);
+    for (const std::string& folder : linked) descend({folder}, threads, keep, true, listed);
   }
   for (std::vector<std::string>* names : {&out.files, &out.linked})
     if (!std::is_sorted(names->begin(), names->end())) std::sort(names->begin(), names->end());
   std::sort(out.skipped.begin(), out.skipped.end());
-  return out;
+  return std::move(out);
 }
 
 }  // namespace etak

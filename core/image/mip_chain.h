@@ -303,12 +303,19 @@ using OpacityRow = std::function<void(int y, float* out)>;
 /// between each four neighbouring texel centres.
 double coverage(int width, int height, float cutoff, unsigned threads, const OpacityRow& row);
 
+/// The opacities of a level, width x height of them, not scaled yet.
+///   largest   they are 0..largest
+///   rounded   true: they are stored as whole numbers
+struct OpacityLevel {
+  std::span<const float> opacities;
+  int width, height;
+  float largest;
+  bool rounded;
+};
+
 /// The factor for the opacities of a level that brings its coverage nearest to `share`.
-///   opacities   not scaled yet, 0..largest, width x height of them
-///   rounded     true: opacities are stored as whole numbers
-///   returns     2^(k/256), k a whole number; 1 where no other factor comes nearer
-float coverage_factor(std::span<const float> opacities, int width, int height, float cutoff, double share,
-                      float largest, bool rounded, unsigned threads);
+///   returns   2^(k/256), k a whole number; 1 where no other factor comes nearer
+float coverage_factor(const OpacityLevel& level, float cutoff, double share, unsigned threads);
 
 /// An opacity times the factor of its level, as it is stored.
 inline float scaled_opacity(float opacity, float factor, float largest, bool rounded) {

@@ -141,8 +141,8 @@ void keep_coverage(const PixelsViewOf<const Value>& a, const LevelOpacities& opa
   for (std::size_t level = 1; level < opacities.size(); ++level) {
     const int width = side_at(a.width, static_cast<int>(level)),
               height = side_at(a.height, static_cast<int>(level));
-    const float factor = coverage_factor(opacities[level], width, height, cutoff, share, scale.largest,
-                                         scale.rounded, threads);
+    const float factor = coverage_factor({opacities[level], width, height, scale.largest, scale.rounded},
+                                         cutoff, share, threads);
     const float* from = opacities[level].data();
     for (int y = 0; y < height; ++y) {
       Value* out = to_a[level].row(y);

@@ -45,8 +45,9 @@ double coverage(int width, int height, float cutoff, unsigned threads, const Opa
   return static_cast<double>(passed) / (16.0 * columns * rows);
 }
 
-float coverage_factor(std::span<const float> opacities, int width, int height, float cutoff, double share,
-                      float largest, bool rounded, unsigned threads) {
+float coverage_factor(const OpacityLevel& level, float cutoff, double share, unsigned threads) {
+  const std::span<const float> opacities = level.opacities;
+  const int width = level.width, height = level.height;
   const auto factor_of = [](int k) { return static_cast<float>(std::exp2(k / 256.0)); };
   const auto off_by = [&](int k) {
     const float factor = factor_of(k);
@@ -56,7 +57,7 @@ float coverage_factor(std::span<const float> opacities, int width, int height, f
                           opacities.subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(width),
                                             static_cast<std::size_t>(width));
                       for (std::size_t x = 0; x < from.size(); ++x)
-                        out[x] = scaled_opacity(from[x], factor, largest, rounded);
+                        out[x] = scaled_opacity(from[x], factor, level.largest, level.rounded);
                     }) -
            share;
   };

@@ -206,21 +206,29 @@ constexpr int thumbnail_side = 256, small_thumbnail_side = 96;
 constexpr std::size_t most_large = 24;  // files
 constexpr std::size_t at_once = 32;     // files
 
+// How the pictures of a page are made.
+//   side   of thumbnails
+struct PagePictures {
+  const Settings& settings;
+  const PictureDoor& door;
+  int side;
+};
+
 // The thumbnail of a texture with the heat map and the boxes of those of `findings` that are about it.
-//   a   `picture` is texture A (diffuse); false: texture B (specular)
-ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Finding* const> findings,
-                               const CheckTarget& target, const LoadedPictures& pictures,
-                               const Settings& settings, int side) {
+//   a   texture A (diffuse); false: texture B (specular)
+ValidationPicture page_picture(bool a, std::span<const Finding* const> findings, const CheckTarget& target,
+                               const LoadedPictures& pictures, const PagePictures& how) {
+  const Image8& picture = a ? pictures.a : pictures.b;
   ValidationPicture out;
   out.width = picture.width;
   out.height = picture.height;
-  const Image8 small = thumbnail(picture, side);
+  const Image8 small = thumbnail(picture, how.side);
   out.png = png_bytes(small, {});
   Image8 all(picture.width, picture.height, 1);
   bool any = false;
   for (const Finding* finding : findings) {
     if (!has_place(*finding) || is_about_a(*finding, target, pictures) != a) continue;
-    const Image8 marks = marks_of(*finding, target, pictures, picture, settings);
+    const Image8 marks = marks_of(*finding, target, pictures, picture, how.settings);
     // A plateau of one finding wins over a transition of another.
     for (std::size_t i = 0; i < all.values.size(); ++i)
       all.values[i] = std::max(all.values[i], marks.values[i]);
@@ -245,9 +253,9 @@ std::string caption(const CheckTarget& target, bool a) {
   return part != target.files.end() ? part->label : a ? "diffuse" : "specular";
 }
 
-void add_pictures(const CheckedFile& file, const CheckTarget& target, const Settings& settings,
-                  const PictureDoor& door, int side, ValidationPageFile& out) {
-  PictureSource source(target, door);
+void add_pictures(const CheckedFile& file, const CheckTarget& target, const PagePictures& how,
+                  ValidationPageFile& out) {
+  PictureSource source(target, how.door);
   // For a scene, every material with findings is shown; other targets have a single pair of textures.
   std::map<std::string, std::vector<const Finding*>> groups;
   for (const Finding& finding : file.findings)
@@ -257,25 +265,23 @@ void add_pictures(const CheckedFile& file, const CheckTarget& target, const Sett
     const LoadedPictures* pictures = source.of(*findings.front());
     if (pictures == nullptr) continue;
     for (const bool a : {true, false}) {
-      const Image8& picture = a ? pictures->a : pictures->b;
-      if (picture.pixel_count() == 0) continue;
-      ValidationPicture shown = page_picture(picture, a, findings, target, *pictures, settings, side);
+      if ((a ? pictures->a : pictures->b).pixel_count() == 0) continue;
+      ValidationPicture shown = page_picture(a, findings, target, *pictures, how);
       shown.label = source.is_scene() ? findings.front()->material + (a ? ", diffuse" : ", specular")
                                       : caption(target, a);
       out.pictures.push_back(std::move(shown));
     }
     if (pictures->b.pixel_count() == 0) continue;
     const auto counts =
-        f0_histogram(pictures->b, pictures->a, target.manifest.transfer.value_or(settings.transfer));
+        f0_histogram(pictures->b, pictures->a, target.manifest.transfer.value_or(how.settings.transfer));
     if (!out.f0) out.f0.emplace();
     for (std::size_t code = 0; code < counts.size(); ++code) (*out.f0)[code] += counts[code];
   }
 }
 
-ValidationPageFile page_file(const CheckedFile& file, const Settings& settings, const PictureDoor& door,
-                             int side) {
+ValidationPageFile page_file(const CheckedFile& file, const PagePictures& how) {
   ValidationPageFile out;
-  for (const CheckTarget* target : targets_of(file)) add_pictures(file, *target, settings, door, side, out);
+  for (const CheckTarget* target : targets_of(file)) add_pictures(file, *target, how, out);
   return out;
 }
 
@@ -302,7 +308,7 @@ std::vector<ValidationPageFile> page_pictures(const ValidationReport& report, co
     if (bytes <= most_bytes)
       parallel_chunks(count, threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t w = first + begin; w < first + end; ++w)
-          out[wanted[w]] = page_file(report.files[wanted[w]], settings, door, side);
+          out[wanted[w]] = page_file(report.files[wanted[w]], {settings, door, side});
       });
     for (std::size_t w = first; w < first + count; ++w) {
       ValidationPageFile& file = out[wanted[w]];

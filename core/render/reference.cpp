@@ -345,8 +345,17 @@ void add_sampled(const Shader::Estimates& estimates, double hits, PixelSum& out)
   if (sets > 1) out.square_error = squares * sets / (sets - 1) * hits * hits;
 }
 
-PixelSum draw_pixel(const Scene& scene, const Camera& camera, const SceneBackdrop& backdrop,
-                    const Shader& shader, const ReferenceOptions& options, int column, int row) {
+// What all pixels of a picture share.
+struct Drawing {
+  const Scene& scene;
+  const Camera& camera;
+  const SceneBackdrop& backdrop;
+  const Shader& shader;
+  const ReferenceOptions& options;
+};
+
+PixelSum draw_pixel(const Drawing& drawing, int column, int row) {
+  const auto& [scene, camera, backdrop, shader, options] = drawing;
   PixelSum out;
   const int side = options.samples_per_side;
   const auto pixel = static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(scene.width) +
@@ -388,6 +397,7 @@ Reference render_reference(const Scene& scene, const Environment* environment,
   const Shader shader(scene, environment, fresnel ? &*fresnel : nullptr);
   const Camera camera(scene);
   const SceneBackdrop backdrop(scene, environment, camera);
+  const Drawing drawing{scene, camera, backdrop, shader, options};
   struct RowError {
     double squares = 0, worst = 0, pixels = 0;
   };
@@ -395,7 +405,7 @@ Reference render_reference(const Scene& scene, const Environment* environment,
   parallel_chunks(errors.size(), options.threads, 1, [&](std::size_t index, std::size_t, unsigned worker) {
     const int row = static_cast<int>(index);
     for (int column = 0; column < scene.width; ++column) {
-      const PixelSum pixel = draw_pixel(scene, camera, backdrop, shader, options, column, row);
+      const PixelSum pixel = draw_pixel(drawing, column, row);
       const auto values = out.picture.at(column, row);
       for (std::size_t c = 0; c < 3; ++c) values[c] = static_cast<float>(pixel.color[c]);
       values[3] = static_cast<float>(pixel.hits);

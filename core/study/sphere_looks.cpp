@@ -70,18 +70,20 @@ Vec3 seen_through(const Vec3& normal, double eta, const Vec3& passing, const Env
 }
 
 // The samples of the pixel in column x of row y that meet the sphere.
-std::vector<SeenPoint> samples_of(int x, int y, int side, const Environment& around, double gloss, double eta,
-                                  const std::optional<Vec3>& passing) {
+//   eta   index of refraction of a clear ball
+std::vector<SeenPoint> samples_of(int x, int y, const Environment& around, double eta,
+                                  const SphereOptions& options) {
   std::vector<SeenPoint> out;
   for (int j = 0; j < rays_per_side; ++j)
     for (int i = 0; i < rays_per_side; ++i) {
-      const double u = 2 * (x + (i + 0.5) / rays_per_side) / side - 1;
-      const double v = 1 - 2 * (y + (j + 0.5) / rays_per_side) / side;
+      const double u = 2 * (x + (i + 0.5) / rays_per_side) / options.side - 1;
+      const double v = 1 - 2 * (y + (j + 0.5) / rays_per_side) / options.side;
       const double square = u * u + v * v;
       if (square >= 1) continue;
       const double w = std::sqrt(1 - square);
-      out.push_back({w, around.specular({2 * w * u, 2 * w * v, 2 * w * w - 1}, gloss)});
-      if (passing) out.back().through = seen_through({u, v, w}, eta, *passing, around, gloss);
+      out.push_back({w, around.specular({2 * w * u, 2 * w * v, 2 * w * w - 1}, options.gloss)});
+      if (options.passing)
+        out.back().through = seen_through({u, v, w}, eta, *options.passing, around, options.gloss);
     }
   return out;
 }
@@ -101,24 +103,23 @@ Vec3 displayed(const std::vector<SeenPoint>& samples, const AngleTable& table, d
 }  // namespace
 
 std::vector<SphereLook> sphere_looks(const FresnelTruth& truth, std::span<const FresnelForm* const> forms,
-                                     const Environment& around, double gloss, double exposure, int side,
-                                     const std::optional<Vec3>& passing) {
+                                     const Environment& around, const SphereOptions& options) {
   constexpr std::size_t all_samples = rays_per_side * rays_per_side;
   const double eta = truth.three_wavelengths[0][1];  // of green, as the renderer takes it
   std::vector<AngleTable> tables{truth.rgb};
   for (const FresnelForm* form : forms) tables.push_back(reflectances_of(truth, *form));
   std::vector<SphereLook> out(tables.size());
-  for (SphereLook& look : out) look.picture = Image8(side, side, 4);
+  for (SphereLook& look : out) look.picture = Image8(options.side, options.side, 4);
   std::size_t judged = 0;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      const std::vector<SeenPoint> samples = samples_of(x, y, side, around, gloss, eta, passing);
+  for (int y = 0; y < options.side; ++y)
+    for (int x = 0; x < options.side; ++x) {
+      const std::vector<SeenPoint> samples = samples_of(x, y, around, eta, options);
       if (samples.empty()) continue;
       const bool whole = samples.size() == all_samples;
       judged += whole;
       std::optional<Lab> exact;
       for (std::size_t i = 0; i < tables.size(); ++i) {
-        const Vec3 linear = displayed(samples, tables[i], exposure);
+        const Vec3 linear = displayed(samples, tables[i], options.exposure);
         const auto pixel = out[i].picture.at(x, y);
         for (std::size_t c = 0; c < 3; ++c) pixel[c] = srgb_u8(linear[c]);
         pixel[3] = plain_u8(static_cast<double>(samples.size()) / all_samples);

@@ -149,9 +149,9 @@ class Checks {
     const Settings& settings = request_.config.settings;
     const MaterialsToCheck& materials = request_.inputs.materials;
     if (i >= targets_.size()) {
-      files_[i] =
-          check_material(materials.materials[i - targets_.size()], *materials.library, request_.run.door,
-                         settings, materials.most_texels, threads, materials.kept.get());
+      files_[i] = check_material(materials.materials[i - targets_.size()],
+                                 {*materials.library, request_.run.door, settings, materials.most_texels,
+                                  threads, materials.kept.get()});
     } else {
       const FoundTarget& found = targets_[i];
       const auto before = known_files(found);

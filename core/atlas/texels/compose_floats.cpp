@@ -23,10 +23,19 @@ FloatPage empty_page(const PlannedPage& size, int levels) {
   return out;
 }
 
+// A region, its material and the pictures of that.
+struct FloatRegion {
+  const Region& region;
+  const PackInput& material;
+  const FloatPair& pair;
+};
+
 // Levels [0, levels) of a region with their gutters.
-//   pair   of the region's material
-void place_region(const FloatPair& pair, const PackInput& m, const Region& region, const PlannedPlace& at,
-                  int levels, const ComposeOptions& options, FloatPage& page) {
+void place_region(const FloatRegion& of, const PlannedPlace& at, int levels, const ComposeOptions& options,
+                  FloatPage& page) {
+  const Region& region = of.region;
+  const PackInput& m = of.material;
+  const FloatPair& pair = of.pair;
   const auto level_of = [&](Texture texture, int level) { return page.view(texture, level); };
   Image a = part_of(pair.diffuse_alpha, region.box), b = part_of(pair.specular_gloss, region.box);
   const bool bled = options.bleed && bleed_under_alpha(a, b) > 0;
@@ -83,7 +92,7 @@ FloatPage compose_floats(int page, int levels, const std::vector<PackInput>& mat
       if (with_normals) normals = normals_of(m, {0, 0, m.width, m.height});
     }
     if (!has_texels_around(regions[r], m))
-      place_region(pair, m, regions[r], plan.places[r], placed, options, out);
+      place_region({regions[r], m, pair}, plan.places[r], placed, options, out);
     else
       place_outline({{&regions[r], end - r}, {&plan.places[r], end - r}},
                     OutlinePictures<FloatPair>{m, pair, with_normals ? &normals : nullptr}, placed, options,

@@ -26,13 +26,18 @@ struct Drawn {
   bool bold;  // the preferred dataset
 };
 
-void add_curve(LinePlot& plot, const Drawn& drawn, const std::vector<double>& nm,
-               const std::vector<double>& y, std::string_view what, std::string css_class,
-               bool on_right = false) {
-  if (nm.empty()) return;
-  if (drawn.bold) css_class += " bold";
-  plot.curves.push_back(
-      {nm, y, std::move(css_class), std::string(what) + ", " + drawn.title, on_right, false});
+// One quantity over wavelength.
+//   what   for the text of its curve
+struct PlottedLine {
+  const std::vector<double>&nm, &y;
+  std::string_view what, css_class;
+  bool on_right = false;
+};
+
+void add_curve(LinePlot& plot, const Drawn& drawn, const PlottedLine& line) {
+  if (line.nm.empty()) return;
+  plot.curves.push_back({line.nm, line.y, std::string(line.css_class) + (drawn.bold ? " bold" : ""),
+                         std::string(line.what) + ", " + drawn.title, line.on_right, false});
 }
 
 // Draws the rows of the preferred table as dots on its curve. The curve has a point every nanometre and at
@@ -70,8 +75,8 @@ void append_index_plot(std::string& out, const std::string& material, const std:
     plot.keys = {{"c1 bold", "n"}, {"", k.empty() ? "k not given" : "k = 0"}};
   }
   for (const Drawn& drawn : all) {
-    add_curve(plot, drawn, drawn.curves.n_nm, drawn.curves.n, "n", "c1");
-    if (plot.right) add_curve(plot, drawn, drawn.curves.k_nm, drawn.curves.k, "k", "c2", true);
+    add_curve(plot, drawn, {drawn.curves.n_nm, drawn.curves.n, "n", "c1"});
+    if (plot.right) add_curve(plot, drawn, {drawn.curves.k_nm, drawn.curves.k, "k", "c2", true});
     add_dots(plot, drawn, drawn.curves.n_nm, drawn.curves.n, "c1");
   }
   out += svg(plot);
@@ -97,8 +102,8 @@ void append_reflectance_plot(std::string& out, const std::string& material, cons
   if (!edge.empty()) plot.keys.push_back({"c2 dashed bold", "R at 81.8° (F82)"});
   for (const Drawn& drawn : all) {
     if (!drawn.curves.r82.empty())
-      add_curve(plot, drawn, drawn.curves.r_nm, drawn.curves.r82, "R at 81.8°", "c2 dashed");
-    add_curve(plot, drawn, drawn.curves.r_nm, drawn.curves.r0, "R at 0°", "c3");
+      add_curve(plot, drawn, {drawn.curves.r_nm, drawn.curves.r82, "R at 81.8°", "c2 dashed"});
+    add_curve(plot, drawn, {drawn.curves.r_nm, drawn.curves.r0, "R at 0°", "c3"});
     add_dots(plot, drawn, drawn.curves.r_nm, drawn.curves.r0, "c3");
   }
   out += svg(plot);

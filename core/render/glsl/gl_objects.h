@@ -131,16 +131,24 @@ class Target {
   GLuint frame_ = 0, texture_ = 0;
 };
 
+// Texels in memory, as OpenGL is told of them.
+struct TexelArray {
+  int width, height;
+  GLenum channels, type;
+  const void* data;
+};
+
 // A texture on texture unit `unit`, without filtering.
 class Texture {
  public:
-  ///   inside   how OpenGL keeps the texels; the other formats are those of `texels`
-  Texture(int unit, GLint inside, int width, int height, GLenum channels, GLenum type, const void* texels) {
+  ///   inside   how OpenGL keeps the texels
+  Texture(int unit, GLint inside, const TexelArray& texels) {
     glGenTextures(1, &id_);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, id_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, inside, width, height, 0, channels, type, texels);
+    glTexImage2D(GL_TEXTURE_2D, 0, inside, texels.width, texels.height, 0, texels.channels, texels.type,
+                 texels.data);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
@@ -165,15 +173,15 @@ class FloatTexture : public Texture {
   }
   // Drivers read texels of four floats faster than those of three.
   FloatTexture(int unit, int width, int height, const std::vector<float>& rgb, GLenum channels = GL_RGB)
-      : Texture(unit, GL_RGBA32F, width, height, channels, GL_FLOAT, rgb.data()) {}
+      : Texture(unit, GL_RGBA32F, {width, height, channels, GL_FLOAT, rgb.data()}) {}
 };
 
 // 8-bit codes in four channels; the colours are sRGB-encoded.
 class CodeTexture : public Texture {
  public:
   CodeTexture(int unit, const Image8& rgba)
-      : Texture(unit, GL_SRGB8_ALPHA8, rgba.width, rgba.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                rgba.values.data()) {}
+      : Texture(unit, GL_SRGB8_ALPHA8,
+                {rgba.width, rgba.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.values.data()}) {}
 };
 
 // Measures the time of drawing between start() and stop() by OpenGL's own clock, where it has one.

@@ -11,7 +11,7 @@ namespace etak {
 
 GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& values, GlslVersion version) {
   GlslGlue glue;
-  const std::string call = model_call(glue, "model", model, values, 1);
+  const std::string call = model_call(glue, {"model", model, values});
   glue.line("uniform sampler2D to_light, to_viewer;\nout vec4 value;\n");
   glue.line("void main() {\n  ivec2 at = ivec2(gl_FragCoord.xy);");
   glue.line("  Angles a = angles(texelFetch(to_light, at, 0).xyz, texelFetch(to_viewer, at, 0).xyz);");

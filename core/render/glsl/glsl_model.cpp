@@ -60,9 +60,8 @@ std::string fetched_value(const Model& model, const Parameter& parameter, const 
 
 }  // namespace
 
-std::string model_call(GlslGlue& glue, const std::string& part, const Model& model,
-                       const std::vector<double>& values, double opacity, bool textured,
-                       const TextureUse* textures) {
+std::string model_call(GlslGlue& glue, const ModelPart& of) {
+  const auto& [part, model, values, opacity, textured, textures] = of;
   if (values.size() != model.value_count())
     throw Error::at(model.id, std::to_string(values.size()) + " values",
                     std::to_string(model.value_count()) + " for its parameters");

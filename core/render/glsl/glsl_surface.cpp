@@ -138,7 +138,7 @@ void GlslSurface::brdf() {
   }
   if (specular != nullptr) {
     specular_ =
-        model_call(glue_, "specular", *specular, scene_.specular_values, opacity_, textured_, textures_);
+        model_call(glue_, {"specular", *specular, scene_.specular_values, opacity_, textured_, textures_});
     glue_.use("specular", std::string(specular->id));
   } else {
     glue_.leave_out("specular", "no specular model");
@@ -146,7 +146,8 @@ void GlslSurface::brdf() {
   if (combined) {
     glue_.use("diffuse", "part of " + std::string(specular->id));
   } else if (has_diffuse_) {
-    diffuse_ = model_call(glue_, "diffuse", *diffuse, scene_.diffuse_values, opacity_, textured_, textures_);
+    diffuse_ =
+        model_call(glue_, {"diffuse", *diffuse, scene_.diffuse_values, opacity_, textured_, textures_});
     glue_.use("diffuse", std::string(diffuse->id));
   } else {
     glue_.leave_out("diffuse", diffuse == nullptr ? "no diffuse model" : "K_d is 0");

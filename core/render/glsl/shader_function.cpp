@@ -73,7 +73,7 @@ std::string shader_function(const Scene& scene, ShaderLanguage language) {
   std::string sum, models;
   const auto add = [&](const std::string& part, const Model& model, const std::vector<double>& values) {
     if (!sum.empty()) sum += " + ", models += " and ";
-    sum += model_call(glue, part, model, values, scene.surface.opacity);
+    sum += model_call(glue, {part, model, values, scene.surface.opacity});
     models += model.id;
   };
   if (scene.specular != nullptr) add("specular", *scene.specular, scene.specular_values);

@@ -168,12 +168,22 @@ void add_hemispheres(Chunk& c, const ChunkHemispheres& h, const AmbientTable& ta
   }
 }
 
+// The environment as a picture has it.
+//   samples   what a refined picture sees of it; null: the prefiltered maps are looked up
+struct TurnedEnvironment {
+  const Environment& environment;
+  const LightSamples* samples;
+  const EnvironmentTurn& turn;
+};
+
 // Adds the light of the environment. The prefiltered maps are looked up in double in both precisions, because
 // trigonometry costs far more than the wider type.
 template <class Surface>
-void add_environment(Chunk& c, const Environment& environment, const LightSamples* samples,
-                     const EnvironmentTurn& turn, const AmbientTable& table, const Surface& surface,
-                     bool with_specular, bool with_diffuse) {
+void add_environment(Chunk& c, const TurnedEnvironment& around, const AmbientTable& table,
+                     const Surface& surface, bool with_specular, bool with_diffuse) {
+  const Environment& environment = around.environment;
+  const LightSamples* const samples = around.samples;
+  const EnvironmentTurn& turn = around.turn;
   const auto narrow = [](const Vec3& w) { return vec3(real(w[0]), real(w[1]), real(w[2])); };
   for (std::size_t i = 0; i < c.count; ++i) {
     const PointSurface& here = surface.at(i);

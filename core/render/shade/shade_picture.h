@@ -242,13 +242,12 @@ void reflect_ambient(const Shading& shading, Chunk& c) {
     else
       add_hemispheres(c, narrow, *shading.ambient, same, with_specular, shading.with_diffuse);
   }
-  if (const Environment* environment = shading.environment) {
+  if (shading.environment != nullptr) {
+    const TurnedEnvironment around{*shading.environment, shading.samples, shading.turn};
     if (textured)
-      add_environment(c, *environment, shading.samples, shading.turn, *shading.ambient, of_texture,
-                      with_specular, shading.with_diffuse);
+      add_environment(c, around, *shading.ambient, of_texture, with_specular, shading.with_diffuse);
     else
-      add_environment(c, *environment, shading.samples, shading.turn, *shading.ambient, same, with_specular,
-                      shading.with_diffuse);
+      add_environment(c, around, *shading.ambient, same, with_specular, shading.with_diffuse);
   }
 }
 

@@ -51,8 +51,15 @@ constexpr std::array forms{Form{"corrected", "corrected, width 1 - g", in_double
                            Form{"printed", "as printed", in_double::hemisphere_specular_printed,
                                 in_single::hemisphere_specular_printed}};
 
-double value(const Form& form, double K, double g, double nv, double rz, double lower, double upper) {
-  return form.in_double(in_double::vec3(K), g, nv, rz, in_double::vec3(lower), in_double::vec3(upper)).x;
+// A viewer at the cosine nv from the normal, whose mirror direction has the cosine rz from the axis of the hemispheres.
+struct Seen {
+  double nv, rz;
+};
+
+// The light of a form, of a lower hemisphere of that radiance and an upper one of radiance 1.
+double value(const Form& form, double K, double g, const Seen& seen, double lower) {
+  return form.in_double(in_double::vec3(K), g, seen.nv, seen.rz, in_double::vec3(lower), in_double::vec3(1.0))
+      .x;
 }
 
 // The light that the model Simplified sends to a viewer, for one reflectance.
@@ -128,13 +135,13 @@ std::array<Errors, forms.size()> measure(double g, std::span<const Vec3> axes, i
       for (std::size_t f = 0; f < forms.size(); ++f) {
         Errors& errors = out[f];
         // With both hemispheres white, only the Fresnel term is left.
-        const double all = value(forms[f], reflectances[k], g, nv, 0, 1, 1);
+        const double all = value(forms[f], reflectances[k], g, {nv, 0}, 1);
         const double miss = std::abs(all - truths[k].albedo);
         errors.mean += miss / cells;
         errors.max = std::max(errors.max, miss);
         for (std::size_t z = 0; z < axes.size(); ++z) {
           const double rz = r[0] * axes[z][0] + r[1] * axes[z][1] + r[2] * axes[z][2];
-          const double wrong = value(forms[f], reflectances[k], g, nv, rz, 0, 1) / all - truths[k].upper[z];
+          const double wrong = value(forms[f], reflectances[k], g, {nv, rz}, 0) / all - truths[k].upper[z];
           errors.share_square += wrong * wrong / (cells * static_cast<double>(axes.size()));
           errors.share_max = std::max(errors.share_max, std::abs(wrong));
         }
@@ -240,7 +247,7 @@ ErrorTimeFamily hemisphere_family(const ReportOptions& options) {
   family.picks = {{"light of a sky and a ground", "share", "wide", "never divides by 1 - g"}};
   family.notes = {
       "As printed, F(g nv) makes rough surfaces white (water at g = 0, face on: " +
-          number(value(forms[2], 0.02, 0, 1, 0, 1, 1), 3) + " against " +
+          number(value(forms[2], 0.02, 0, {1, 0}, 1), 3) + " against " +
           number(integrate(0, 1, axes, steps)[0].albedo, 2) +
           ") and the weight in [-1, 1] makes radiance negative below the horizon.",
       "The share of polished surfaces changes within a degree or two of the axis: its rms at g = 1 depends on where the few axes stand. Over 37 tilts and 25 azimuths it is " +

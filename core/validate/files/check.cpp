@@ -129,9 +129,9 @@ void check_scene(const TargetFile& of_scene, const CheckTarget& target, const Pi
   if (wants_pixels)
     for (const SceneLook& look : check.looks()) {
       LoadedPictures pictures = check.pictures_of(look);
-      const auto use = texels_in_use(uses, look.materials, pictures.a.width, pictures.a.height);
-      add_look(check.judge(look, std::move(pictures), use, check.labels_of(look), target.manifest, settings,
-                           threads),
+      auto use = texels_in_use(uses, look.materials, pictures.a.width, pictures.a.height);
+      add_look(check.judge(look, {std::move(pictures), std::move(use), check.labels_of(look)},
+                           target.manifest, settings, threads),
                file);
     }
   const std::size_t decoded = wants_pixels ? check.textures() : 0;

@@ -64,9 +64,8 @@ std::string measured_text(const MeasuredF0& measured, const MaterialLibrary& lib
   return "; it is measured: " + dataset_in_zone(out);
 }
 
-CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary& library,
-                         const PictureDoor& door, const Settings& settings, std::size_t most_texels,
-                         unsigned threads, KeptPictures* kept) {
+CheckedFile check_texels(const ProjectMaterial& material, const MaterialCheck& by) {
+  const auto& [library, door, settings, most_texels, threads, kept] = by;
   CheckTarget target;
   target.label = material.name;
   target.files = {{FileRole::diffuse_alpha, "", material.name + " (diffuse, alpha)", false},
@@ -96,7 +95,7 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
       std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
       for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
     }
-    out = check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, threads);
+    out = check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, by.threads);
   };
   if (kept != nullptr && has_packed_textures(material)) {
     kept->use(material, library, door, most_texels, look);
@@ -143,9 +142,7 @@ CheckedFile check_record(const MeasuredF0& measured, const MaterialLibrary& libr
 
 }  // namespace
 
-CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrary& library,
-                           const PictureDoor& door, const Settings& settings, std::size_t most_texels,
-                           unsigned threads, KeptPictures* kept) {
+CheckedFile check_material(const ProjectMaterial& material, const MaterialCheck& by) {
   CheckedFile out;
   out.path = material.name;
   const auto fail = [&](const Rule& rule, Severity severity, const std::string& message) {
@@ -161,10 +158,10 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
       fail(*find_rule("ETK902"), Severity::warning, "not enough memory to check the pictures");
     }
   };
-  part([&] { return check_texels(material, library, door, settings, most_texels, threads, kept); });
+  part([&] { return check_texels(material, by); });
   if (material.measured)
     part([&] {
-      return check_record(*material.measured, library, text_of_layers(material, library), settings);
+      return check_record(*material.measured, by.library, text_of_layers(material, by.library), by.settings);
     });
   for (Finding& each : out.findings) each.material = material.name;
   return out;

@@ -195,9 +195,9 @@ std::array<std::string, 2> SceneCheck::labels_of(const SceneLook& look) const {
   return {label_of(textures.first), label_of(textures.second)};
 }
 
-JudgedLook SceneCheck::judge(const SceneLook& look, LoadedPictures pictures,
-                             const std::vector<std::uint8_t>& use, const std::array<std::string, 2>& labels,
-                             const Manifest& manifest, const Settings& settings, unsigned threads) const {
+JudgedLook SceneCheck::judge(const SceneLook& look, LookTexels texels, const Manifest& manifest,
+                             const Settings& settings, unsigned threads) const {
+  auto& [pictures, use, labels] = texels;
   const GltfMaterial& material = lead(look);
   const auto [color, second, first_role, second_role] = textures_of(material);
   CheckTarget part;
@@ -211,7 +211,7 @@ JudgedLook SceneCheck::judge(const SceneLook& look, LoadedPictures pictures,
   evidence.metal_rough = !material.specular_glossiness;
   const std::size_t hidden = hide_unused(pictures, use);
   look_at_pixels(
-      part, [&](Needs) { return pictures.in_memory().rows(); }, settings, threads, evidence, out.file);
+      part, [&](Needs) { return texels.pictures.in_memory().rows(); }, settings, threads, evidence, out.file);
   forget_unused(evidence, hidden);
   // The alpha of an opaque material has no effect, so that its picture counts as one without alpha.
   if (evidence.a) evidence.a->header.channels = material.alpha_mode == AlphaMode::opaque || !color ? 3 : 4;

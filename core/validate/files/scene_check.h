@@ -27,6 +27,15 @@ struct JudgedLook {
   Evidence evidence;
 };
 
+/// The texels of a look.
+///   use      as of texels_in_use()
+///   labels   the files that findings are said to be in
+struct LookTexels {
+  LoadedPictures pictures;
+  std::vector<std::uint8_t> use;
+  std::array<std::string, 2> labels;
+};
+
 /// Judges the materials of a scene: each on its own, on the texels that triangles read, and the header of each
 /// texture once. The caller gives the texels, from the files of the scene or from the pages that the scene was
 /// packed into, so that both get the same verdict.
@@ -44,11 +53,8 @@ class SceneCheck {
   std::array<std::string, 2> labels_of(const SceneLook& look) const;
 
   /// Judges a look where triangles read its texels. A box in a texture has its place in UVs too.
-  ///   use        as of texels_in_use()
-  ///   labels     the files that findings are said to be in
   ///   manifest   what is said of all pictures of the scene
-  JudgedLook judge(const SceneLook& look, LoadedPictures pictures, const std::vector<std::uint8_t>& use,
-                   const std::array<std::string, 2>& labels, const Manifest& manifest,
+  JudgedLook judge(const SceneLook& look, LookTexels texels, const Manifest& manifest,
                    const Settings& settings, unsigned threads) const;
 
   /// Judges the header of every texture that is judged of a material, and the normal maps where rules need them.

@@ -230,7 +230,7 @@ void SceneOnPages::judge_look(Look& look, const Settings& settings, unsigned thr
     labels = check_.labels_of(look.look);
   }
   JudgedLook judged =
-      check_.judge(look.look, std::exchange(look.pictures, {}), use, labels, {}, settings, threads);
+      check_.judge(look.look, {std::exchange(look.pictures, {}), use, labels}, {}, settings, threads);
   if (look.packed) {
     std::vector<AtlasRect> rects;
     for (const Place& place : look.places) {

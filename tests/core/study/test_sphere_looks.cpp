@@ -25,7 +25,7 @@ Environment even(float radiance) {
 
 std::vector<SphereLook> looks_of(const char* id, const Environment& around) {
   const FresnelForm* const forms[] = {fresnel_form("schlick"), fresnel_form("f82_tint")};
-  return sphere_looks(truth_of(id), forms, around, 0.5, 1, picture_side);
+  return sphere_looks(truth_of(id), forms, around, {0.5, 1, picture_side});
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ TEST_CASE("a clear ball shows what is behind it, an opaque one does not") {
   for (const char* id : {"fused_silica", "water", "sapphire", "diamond"}) {
     INFO(id);
     const auto look = [&](const std::optional<Vec3>& passing) {
-      return sphere_looks(truth_of(id), forms, even(0.5f), 1, 1, picture_side, passing);
+      return sphere_looks(truth_of(id), forms, even(0.5f), {1, 1, picture_side, passing});
     };
     const auto middle = [](const SphereLook& each) {
       return each.picture.at(picture_side / 2, picture_side / 2);

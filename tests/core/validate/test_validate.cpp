@@ -233,13 +233,14 @@ TEST_CASE("every finding with a place gets a mask") {
 
 TEST_CASE("the colour of layers is a note that names them, and the same colour typed is an error") {
   const MaterialLibrary library = MaterialLibrary::builtin();
+  const PictureDoor door = picture_door();
   ProjectMaterial layers;
   layers.name = "blue";
   layers.measured = MeasuredF0{"anodised_titanium_50nm", {}, {}, {}};
   layers.specular = {0.027071, 0.17335, 0.46205};
   layers.diffuse = {0, 0, 0};
   layers.alpha_mode = AlphaMode::opaque;
-  const CheckedFile noted = check_material(layers, library, picture_door(), {});
+  const CheckedFile noted = check_material(layers, {library, door, {}});
   CHECK(!noted.findings.empty());
   for (const Finding& each : noted.findings) {
     INFO(each.rule << ' ' << each.message);
@@ -248,7 +249,7 @@ TEST_CASE("the colour of layers is a note that names them, and the same colour t
   }
   layers.measured.reset();
   bool is_error = false;
-  for (const Finding& each : check_material(layers, library, picture_door(), {}).findings)
+  for (const Finding& each : check_material(layers, {library, door, {}}).findings)
     is_error = is_error || (each.rule == "ETK106" && each.severity == Severity::error);
   CHECK(is_error);
 }
