@@ -15,7 +15,7 @@ namespace etak {
 
 /// Results in the memory of a program that checks the same files again and again. Each is made again only where
 /// one of its files, or something else that decides it, is not as it was. Any thread may call.
-///   identity   of a result: all that decides it besides the bytes of its files and the settings, as text
+///   identity   of a result: all that decides it besides the bytes of its files and the settings, as bytes
 ///   files      that it depends on
 template <class Result>
 class KeptResults {

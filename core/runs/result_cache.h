@@ -30,7 +30,7 @@ class ResultCache {
   ResultCache(CacheOptions options, const std::string& settings, const std::string& version);
 
   /// The key of the result that depends on these files. Reads all of them.
-  ///   identity    all else that decides the result, as text
+  ///   identity    all else that decides the result, as bytes
   ///   sha256_of   the file whose SHA-256 is wanted as well; null: none
   CacheKey key_of(const std::string& identity, const std::vector<std::string>& files, SeenAsFile seen,
                   const std::string* sha256_of) const;

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/bytes/member_bytes.h"
 #include "core/base/files/between_files.h"
 #include "core/base/files/links.h"
 #include "core/base/hash/content_hash.h"
@@ -14,6 +15,7 @@
 #include "core/base/parallel.h"
 #include "core/findings/report.h"
 #include "core/findings/shards/report_shard.h"
+#include "core/judge/deciding_members.h"
 #include "core/validate/files/check.h"
 #include "core/validate/files/cut_targets.h"
 #include "core/validate/files/project_check.h"
@@ -224,15 +226,11 @@ std::string options_digest(const ValidationRequest& request) {
   const Settings& settings = request.config.settings;
   ContentHash hash;
   hash.add_part(request.part.line_digest);
-  hash.add_part(settings_hash(settings));
-  hash.add_part(name(settings.fail_on));
-  bool expires = false;
-  for (const AllowEntry& entry : settings.allow) {
-    for (const std::string* text :
-         {&entry.rule, &entry.file, &entry.material, &entry.tile, &entry.reason, &entry.expires})
-      hash.add_part(*text);
-    expires = expires || !entry.expires.empty();
-  }
+  MemberWriter bytes;
+  bytes.member(settings);
+  hash.add_part(bytes.bytes);
+  const bool expires =
+      std::ranges::any_of(settings.allow, [](const AllowEntry& entry) { return !entry.expires.empty(); });
   if (expires && request.allowed.today.empty()) hash.add_part(today_here());
   hash.add_part(names_whole_tree(request) ? "whole" : "");
   return hash.hex();

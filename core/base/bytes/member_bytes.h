@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +39,7 @@ class MemberWriter {
   void member(std::uint64_t value) { number(value); }
   void member(std::int64_t value) { number(static_cast<std::uint64_t>(value)); }
   void member(int value) { number(static_cast<std::uint64_t>(value)); }
+  void member(std::uint8_t value) { number(value); }
   template <class Value, std::size_t count>
   void member(const std::array<Value, count>& values) {
     for (const Value& value : values) member(value);
@@ -56,6 +58,11 @@ class MemberWriter {
   void member(const std::vector<Value>& values) {
     number(values.size());
     for (const Value& value : values) member(value);
+  }
+  template <class Key, class Value, class Less>
+  void member(const std::map<Key, Value, Less>& values) {
+    number(values.size());
+    for (const auto& pair : values) member(pair);
   }
   template <class Value>
   void member(const Value& value) {

@@ -11,7 +11,7 @@
 #include "core/base/hash/content_hash.h"
 #include "core/base/parallel.h"
 #include "core/base/system.h"
-#include "core/names/names.h"
+#include "core/validate/files/result_text.h"
 
 namespace etak {
 namespace {
@@ -99,19 +99,9 @@ std::vector<TargetGroup> groups_of(const FoundTargets& found, unsigned threads) 
 std::string digest_of(const FoundTargets& found, const std::vector<TargetGroup>& groups) {
   ContentHash hash;
   const auto add = [&](std::string_view text) { hash.add_part(text); };
-  const auto add_files = [&](const std::vector<TargetFile>& files) {
-    for (const TargetFile& file : files) {
-      add(name(file.role));
-      add(file.label);
-    }
-  };
   for (const TargetGroup& group : groups) {
     add("group");
-    for (const std::size_t i : group.targets) {
-      add(found.targets[i].target.label);
-      add_files(found.targets[i].target.files);
-      add_files(found.targets[i].target.beside);
-    }
+    for (const std::size_t i : group.targets) add(identity_of(found.targets[i]));
     for (const std::size_t i : group.lone) {
       add(found.lone[i].path);
       for (const std::string& companion : found.lone[i].companions) add(companion);

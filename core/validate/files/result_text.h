@@ -14,7 +14,7 @@ namespace etak {
 /// The results of the last run, in a program that checks the same files again and again.
 class CheckedBefore : public KeptResults<CheckedFile> {};
 
-/// All that decides the result of a target besides the bytes of its files and the settings, as text.
+/// All that decides the result of a target besides the bytes of its files and the settings, as bytes.
 std::string identity_of(const FoundTarget& found);
 
 /// A CheckedFile as bytes and back: doubles come back equal. Nothing where the bytes are not of that form.

@@ -2,10 +2,12 @@
 #include "core/judge/finding.h"
 
 #include <catch2/catch.hpp>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/base/bytes/member_bytes.h"
+#include "core/judge/deciding_members.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -91,5 +93,63 @@ TEST_CASE("a file with its findings comes back from its bytes as it was, and fro
   for (std::size_t size = 0; size < out.bytes.size(); ++size) {
     CheckedFile part;
     CHECK_FALSE(read(std::string_view(out.bytes).substr(0, size), part));
+  }
+}
+
+TEST_CASE(
+    "every member of a target and of settings counts among what decides results, but for places of files") {
+  const auto bytes_of = [](const auto& value) {
+    MemberWriter out;
+    out.member(value);
+    return out.bytes;
+  };
+  CheckTarget target;
+  target.files = {{FileRole::normal, "/a/wood.png", "wood.png"}};
+  target.manifest.tiles.resize(1);
+  target.manifest.scene = "/a/scene.gltf";
+  const std::string usual = bytes_of(target);
+  const std::vector<std::function<void(CheckTarget&)>> changes{
+      [](CheckTarget& t) { t.label = "x"; },
+      [](CheckTarget& t) { t.files[0].role = FileRole::height; },
+      [](CheckTarget& t) { t.files[0].label = "x"; },
+      [](CheckTarget& t) { t.files[0].guessed = true; },
+      [](CheckTarget& t) { t.files[0].channels = "m"; },
+      [](CheckTarget& t) { t.files[0].green = GreenAxis::directx; },
+      [](CheckTarget& t) { t.beside = t.files; },
+      [](CheckTarget& t) { t.tile = "1001"; },
+      [](CheckTarget& t) { t.manifest.scene.clear(); },
+      [](CheckTarget& t) { t.manifest.layout_alone = true; },
+      [](CheckTarget& t) { t.manifest.specular_weighs_diffuse = true; },
+      [](CheckTarget& t) { t.manifest.parts.resize(1); },
+      [](CheckTarget& t) {
+        t.manifest.tiles[0].flat[1] = {1, 2, 3, 4};
+      },
+      [](CheckTarget& t) { t.manifest.tiles[0].own_around = 1; }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    CheckTarget other = target;
+    changes[i](other);
+    INFO(i);
+    CHECK(bytes_of(other) != usual);
+  }
+  CheckTarget moved = target;
+  moved.files[0].path = "/b/wood.png";
+  moved.manifest.scene = "/b/scene.gltf";
+  CHECK(bytes_of(moved) == usual);
+
+  const std::string standard = bytes_of(Settings{});
+  const std::vector<std::function<void(Settings&)>> turns{
+      [](Settings& s) { s.profile = Profile::film; },
+      [](Settings& s) { s.green = GreenAxis::opengl; },
+      [](Settings& s) { s.fail_on = Severity::info; },
+      [](Settings& s) { s.rules["ETK101"].parameters["limit"] = 1; },
+      [](Settings& s) { s.zone.erode = 5; },
+      [](Settings& s) {
+        s.allow.push_back({"ETK101", "", "", "", "why", ""});
+      }};
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    Settings other;
+    turns[i](other);
+    INFO(i);
+    CHECK(bytes_of(other) != standard);
   }
 }
