@@ -57,6 +57,61 @@ Placement placement_of(const JsonNode& node) {
   return out;
 }
 
+Vec3 numbers_of(const GltfElements& elements, std::size_t at) {
+  return {elements.number(at, 0), elements.number(at, 1), elements.number(at, 2)};
+}
+
+// A position in the world.
+Vec3 moved(const GltfElements& positions, std::size_t vertex, const JsonNode& attributes,
+           const Placement& place) {
+  const Vec3 out = place(numbers_of(positions, vertex));
+  for (const double value : out)
+    if (!(std::abs(value) <= widest))
+      attributes.at("POSITION").fail("a position that is not finite or beyond 1e12", "a finite position");
+  return out;
+}
+
+// What morph targets may make of the colours and UVs of a use.
+void read_targets(const JsonNode& node, GltfUse& use) {
+  if (!node.has("targets")) return;
+  const JsonNode targets = node.at("targets");
+  targets.expect_array();
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    targets.at(i).expect_object();
+    for (const auto& [name, ignored] : targets.at(i).value.items()) {
+      // Weights may lead anywhere between black and white.
+      if (name == "COLOR_0") use.colors.least = {0, 0, 0};
+      int set = 0;
+      if (name.starts_with("TEXCOORD_") &&
+          std::from_chars(name.data() + 9, name.data() + name.size(), set).ec == std::errc())
+        use.morphed_uv_sets.insert(set);
+    }
+  }
+}
+
+GltfCamera camera_of(const JsonNode& node, const Placement& place) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  GltfCamera out;
+  out.name = node.text_or_empty("name");
+  const std::string type = node.at("type").text();
+  out.perspective = type == "perspective";
+  if (!out.perspective && type != "orthographic") node.at("type").fail_type("perspective or orthographic");
+  const JsonNode lens = node.at(type);
+  lens.expect_object();
+  if (out.perspective)
+    out.yfov = number_at(lens, "yfov", out.yfov, 0, 4);
+  else
+    out.ymag = number_at(lens, "ymag", out.ymag, -infinite, infinite);
+  out.znear = number_at(lens, "znear", out.znear, 0, infinite);
+  out.position = place.origin;
+  // A camera looks along its own -z.
+  const Vec3 along = place.linear * Vec3{0, 0, -1};
+  const double length = std::hypot(along[0], along[1], along[2]);
+  if (length > 0)
+    for (std::size_t i = 0; i < 3; ++i) out.direction[i] = along[i] / length;
+  return out;
+}
+
 class Walk {
  public:
   Walk(const GltfDocument& document, GltfScene& scene) : document_(document), scene_(scene) {}
@@ -115,7 +170,8 @@ class Walk {
   void visit(const JsonNode& node, const Placement& place) {
     const bool is_seen = counts_ && !is_lower_level_;
     if (node.has("camera") && is_seen)
-      camera(document_.element("cameras", document_.index(node.at("camera"), "cameras")), place);
+      scene_.cameras.push_back(
+          camera_of(document_.element("cameras", document_.index(node.at("camera"), "cameras")), place));
     if (!node.has("mesh")) return;
     const int index = document_.index(node.at("mesh"), "meshes");
     const JsonNode primitives = document_.element("meshes", index).at("primitives");
@@ -143,20 +199,6 @@ class Walk {
     attributes.expect_object();
     if (!attributes.has("POSITION")) return std::nullopt;
     return attribute(attributes, "POSITION", 3, std::nullopt);
-  }
-
-  /// A position in the world.
-  static Vec3 moved(const GltfElements& positions, std::size_t vertex, const JsonNode& attributes,
-                    const Placement& place) {
-    const Vec3 out = place(numbers_of(positions, vertex));
-    for (const double value : out)
-      if (!(std::abs(value) <= widest))
-        attributes.at("POSITION").fail("a position that is not finite or beyond 1e12", "a finite position");
-    return out;
-  }
-
-  static Vec3 numbers_of(const GltfElements& elements, std::size_t at) {
-    return {elements.number(at, 0), elements.number(at, 1), elements.number(at, 2)};
   }
 
   void add_to_mesh(const JsonNode& node, const Placement& place) {
@@ -290,50 +332,10 @@ class Walk {
     }
   }
 
-  static void read_targets(const JsonNode& node, GltfUse& use) {
-    if (!node.has("targets")) return;
-    const JsonNode targets = node.at("targets");
-    targets.expect_array();
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      targets.at(i).expect_object();
-      for (const auto& [name, ignored] : targets.at(i).value.items()) {
-        // Weights may lead anywhere between black and white.
-        if (name == "COLOR_0") use.colors.least = {0, 0, 0};
-        int set = 0;
-        if (name.starts_with("TEXCOORD_") &&
-            std::from_chars(name.data() + 9, name.data() + name.size(), set).ec == std::errc())
-          use.morphed_uv_sets.insert(set);
-      }
-    }
-  }
-
   void count(const JsonNode& node, std::size_t triangles) {
     total_ += triangles;
     if (total_ > most_gltf_triangles)
       node.fail("triangles beyond " + std::to_string(most_gltf_triangles), "at most so many in all");
-  }
-
-  void camera(const JsonNode& node, const Placement& place) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    GltfCamera out;
-    out.name = node.text_or_empty("name");
-    const std::string type = node.at("type").text();
-    out.perspective = type == "perspective";
-    if (!out.perspective && type != "orthographic") node.at("type").fail_type("perspective or orthographic");
-    const JsonNode lens = node.at(type);
-    lens.expect_object();
-    if (out.perspective)
-      out.yfov = number_at(lens, "yfov", out.yfov, 0, 4);
-    else
-      out.ymag = number_at(lens, "ymag", out.ymag, -infinite, infinite);
-    out.znear = number_at(lens, "znear", out.znear, 0, infinite);
-    out.position = place.origin;
-    // A camera looks along its own -z.
-    const Vec3 along = place.linear * Vec3{0, 0, -1};
-    const double length = std::hypot(along[0], along[1], along[2]);
-    if (length > 0)
-      for (std::size_t i = 0; i < 3; ++i) out.direction[i] = along[i] / length;
-    scene_.cameras.push_back(out);
   }
 
   const GltfDocument& document_;

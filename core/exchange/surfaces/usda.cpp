@@ -151,22 +151,22 @@ struct Prim {
   std::vector<Attribute> attributes = {};
 };
 
+// The prims of a layer in the order of the file, and where each path is among them.
+struct Prims {
+  std::vector<Prim> all;
+  std::map<std::string, std::size_t, std::less<>> by_path;
+};
+
+// From text to prims.
 class Layer {
  public:
-  Layer(std::string_view text, const std::string& file) : tokens_(text, file), file_(file) {
+  Layer(std::string_view text, const std::string& file) : tokens_(text, file), file_(file) {}
+
+  Prims read() {
     if (tokens_.now().is("(")) skip_group();
     prims_in("", "", 0);
     if (tokens_.now().kind != Token::Kind::end) tokens_.fail("a prim");
-  }
-
-  std::vector<DocumentSurface> surfaces() const {
-    check_connections();
-    std::vector<DocumentSurface> out;
-    for (const Prim& prim : prims_) {
-      const std::string model = model_of(prim);
-      if (!model.empty()) out.push_back(surface_of(prim, model));
-    }
-    return out;
+    return std::move(prims_);
   }
 
  private:
@@ -292,7 +292,7 @@ class Layer {
 
   void prims_in(const std::string& path, const std::string& name, int depth) {
     check_depth(depth);
-    const std::size_t self = prims_.size() - 1;
+    const std::size_t self = prims_.all.size() - 1;
     while (tokens_.now().kind != Token::Kind::end && !tokens_.now().is("}")) {
       if (tokens_.now().is("def") || tokens_.now().is("over") || tokens_.now().is("class")) {
         prim(path, name, depth);
@@ -309,7 +309,7 @@ class Layer {
         tokens_.expect("=");
         (void)value(0);
       } else {
-        attribute(prims_[self]);
+        attribute(prims_.all[self]);
       }
     }
   }
@@ -323,15 +323,36 @@ class Layer {
     out.path = parent + "/" + out.name;
     out.parent_name = parent_name;
     const std::string path = out.path, name = out.name;
-    if (!by_path_.emplace(path, prims_.size()).second)
+    if (!prims_.by_path.emplace(path, prims_.all.size()).second)
       throw Error::at_line(file_, out.line, "a second prim " + in_quotes(path), "each prim once");
-    prims_.push_back(std::move(out));
+    prims_.all.push_back(std::move(out));
     if (tokens_.now().is("(")) skip_group();
     tokens_.expect("{");
     prims_in(path, name, depth + 1);
     tokens_.expect("}");
   }
 
+  Tokens tokens_;
+  const std::string& file_;
+  Prims prims_;
+};
+
+// From prims to the surfaces that their shaders are.
+class Shaders {
+ public:
+  Shaders(Prims prims, const std::string& file) : prims_(std::move(prims)), file_(file) {}
+
+  std::vector<DocumentSurface> surfaces() const {
+    check_connections();
+    std::vector<DocumentSurface> out;
+    for (const Prim& prim : prims_.all) {
+      const std::string model = model_of(prim);
+      if (!model.empty()) out.push_back(surface_of(prim, model));
+    }
+    return out;
+  }
+
+ private:
   static bool is_number_type(std::string_view type) {
     return type.starts_with("float") || type.starts_with("double") || type.starts_with("half") ||
            type.starts_with("int") || type.starts_with("color");
@@ -364,12 +385,12 @@ class Layer {
 
   void check_connections() const {
     std::vector<NodeLinks> nodes;
-    for (const Prim& prim : prims_) {
+    for (const Prim& prim : prims_.all) {
       NodeLinks& node = nodes.emplace_back(NodeLinks{prim.path, "line " + std::to_string(prim.line), {}});
       for (const Attribute& each : prim.attributes) {
         if (each.source.empty()) continue;
-        const auto source = by_path_.find(each.source);
-        if (source != by_path_.end()) {
+        const auto source = prims_.by_path.find(each.source);
+        if (source != prims_.by_path.end()) {
           // What a material shows comes from the shaders in it, which may read the material's own inputs.
           if (!each.name.starts_with("outputs:")) node.reads.push_back(source->second);
         } else {
@@ -407,10 +428,8 @@ class Layer {
     return out;
   }
 
-  Tokens tokens_;
+  Prims prims_;
   const std::string& file_;
-  std::vector<Prim> prims_;
-  std::map<std::string, std::size_t, std::less<>> by_path_;
 };
 
 }  // namespace
@@ -421,7 +440,7 @@ std::vector<DocumentSurface> surfaces_of_usda(std::string_view text, const std::
   if (text.starts_with("PK")) throw Error::at(file, "a package of USD (.usdz)", expected);
   if (!text.starts_with("#usda ")) throw Error::at(file, "no \"#usda\" at the beginning", expected);
   if (text.size() > most_document_bytes) throw Error::at(file, "more than 64 MiB", "a USD layer");
-  return Layer(text, file).surfaces();
+  return Shaders(Layer(text, file).read(), file).surfaces();
 }
 
 }  // namespace etak

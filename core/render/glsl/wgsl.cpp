@@ -86,104 +86,15 @@ class Tokens {
   std::size_t at_ = 0;
 };
 
-class Wgsl : private Tokens {
- public:
-  explicit Wgsl(std::string_view text) : Tokens(text) { find_functions(); }
+// The expressions of a text, and the names that they may hold.
+class Expressions : protected Tokens {
+ protected:
+  using Tokens::Tokens;
 
-  std::string translated() {
-    while (at_ < tokens_.size()) {
-      if (peek() == "\n" || is_comment(peek()))
-        out_ += take();
-      else
-        definition();
-    }
-    return std::move(out_);
-  }
-
- private:
   struct Function {
     std::string name, returns;
     std::vector<std::string> parameters;
   };
-
-  bool is_type(std::string_view token) const {
-    return type_names.contains(token) || structs_.contains(token);
-  }
-
-  // ---- definitions
-
-  // Names every function, the later ones of one name by their types. A heading of a function stands in one line.
-  void find_functions() {
-    int depth = 0;
-    for (at_ = 0; at_ < tokens_.size(); ++at_) {
-      depth += peek() == "{" ? 1 : peek() == "}" ? -1 : 0;
-      if (peek() == "struct" && depth == 0) structs_[std::string(peek(1))];
-      if (depth > 0 || peek(2) != "(" || !is_type(peek()) || peek() == "struct") continue;
-      const std::size_t begin = at_;
-      Function function;
-      function.returns = type();
-      const std::string name = word();
-      expect("(");
-      while (!took(")")) {
-        took(",");
-        function.parameters.push_back(type());
-        word();
-      }
-      std::vector<Function>& same = functions_[name];
-      const bool colors = std::ranges::find(function.parameters, "vec3f") != function.parameters.end();
-      function.name = kept_apart(name) + (same.empty()                 ? ""
-                                          : colors && same.size() == 1 ? "_rgb"
-                                                                       : "_" + std::to_string(same.size()));
-      same.push_back(std::move(function));
-      at_ = begin;
-    }
-    at_ = 0;
-  }
-
-  void definition() {
-    if (took("struct")) return structure();
-    if (took("const")) {
-      const std::string of = type(), name = word();
-      expect("=");
-      globals_[name] = of;
-      out_ += "const " + kept_apart(name) + ": " + of + " = " + expression().text + ";";
-      return expect(";");
-    }
-    function();
-  }
-
-  void structure() {
-    const std::string name = word();
-    expect("{");
-    out_ += "struct " + name + " {\n";
-    while (!took("}")) {
-      const std::string of = type(), member = word();
-      expect(";");
-      structs_[name][member] = of;
-      out_ += "  " + kept_apart(member) + ": " + of + ",\n";
-    }
-    expect(";");
-    out_ += "}";
-  }
-
-  void function() {
-    locals_.clear();
-    const std::string returns = type(), name = word();
-    std::vector<std::string> types;
-    std::string parameters;
-    expect("(");
-    while (!took(")")) {
-      took(",");
-      types.push_back(type());
-      const std::string parameter = word();
-      locals_[parameter] = types.back();
-      parameters += (parameters.empty() ? "" : ", ") + kept_apart(parameter) + ": " + types.back();
-    }
-    out_ += "fn " + overload(name, types).name + '(' + parameters + ") -> " + returns + " {";
-    expect("{");
-    block(1);
-    out_ += "}";
-  }
 
   const Function& overload(const std::string& name, const std::vector<std::string>& types) const {
     if (const auto found = functions_.find(name); found != functions_.end())
@@ -192,66 +103,7 @@ class Wgsl : private Tokens {
     throw Error::at("WGSL", "a call of " + name + " that fits no function");
   }
 
-  // ---- statements
-
-  // The statements up to the closing brace, with the line ends and comments between them.
-  void block(std::size_t depth) {
-    const std::string indent(2 * depth, ' ');
-    while (peek() != "}") {
-      if (peek() == "\n") {
-        out_ += take();
-      } else if (is_comment(peek())) {
-        out_ += (out_.ends_with('\n') ? indent : " ") + std::string(take());
-      } else {
-        out_ += indent;
-        statement(depth);
-      }
-    }
-    expect("}");
-  }
-
-  void statement(std::size_t depth) {
-    if (took("return")) {
-      out_ += "return " + expression().text + ';';
-      return expect(";");
-    }
-    if (took("if")) return condition(depth);
-    if (is_type(peek()) && !peek().empty() && peek(1) != "(") return declaration();
-    const std::string target = postfix().text;
-    std::string by;
-    while (peek() != "=") by += take();
-    expect("=");
-    out_ += target + ' ' + by + "= " + expression().text + ';';
-    expect(";");
-  }
-
-  void condition(std::size_t depth) {
-    expect("(");
-    out_ += "if (" + expression().text + ") {\n" + std::string(2 * depth + 2, ' ');
-    expect(")");
-    skip();
-    if (took("{"))
-      block(depth + 1);
-    else
-      statement(depth + 1);
-    out_ += '\n' + std::string(2 * depth, ' ') + '}';
-  }
-
-  void declaration() {
-    const std::string of = type(), name = word();
-    locals_[name] = of;
-    if (took(";")) {
-      out_ += "var " + kept_apart(name) + ": " + of + ';';
-      return;
-    }
-    expect("=");
-    const std::string value = expression().text;
-    expect(";");
-    out_ += (is_set_later(name) ? "var " : "let ") + kept_apart(name) + ": " + of + " = " + value + ';';
-  }
-
-  // ---- expressions, by the rank of their operators
-
+  // By the rank of their operators.
   Expression expression() {
     Expression test = binary(0);
     if (!took("?")) return test;
@@ -350,11 +202,165 @@ class Wgsl : private Tokens {
             to_number.contains(name) ? "f32" : types.at(0)};
   }
 
-  std::string out_;
   std::map<std::string, std::map<std::string, std::string>, std::less<>>
       structs_;  // the members and their types
   std::map<std::string, std::vector<Function>> functions_;
   std::map<std::string, std::string> globals_, locals_;
+};
+
+class Wgsl : private Expressions {
+ public:
+  explicit Wgsl(std::string_view text) : Expressions(text) { find_functions(); }
+
+  std::string translated() {
+    while (at_ < tokens_.size()) {
+      if (peek() == "\n" || is_comment(peek()))
+        out_ += take();
+      else
+        definition();
+    }
+    return std::move(out_);
+  }
+
+ private:
+  bool is_type(std::string_view token) const {
+    return type_names.contains(token) || structs_.contains(token);
+  }
+
+  // ---- definitions
+
+  // Names every function, the later ones of one name by their types. A heading of a function stands in one line.
+  void find_functions() {
+    int depth = 0;
+    for (at_ = 0; at_ < tokens_.size(); ++at_) {
+      depth += peek() == "{" ? 1 : peek() == "}" ? -1 : 0;
+      if (peek() == "struct" && depth == 0) structs_[std::string(peek(1))];
+      if (depth > 0 || peek(2) != "(" || !is_type(peek()) || peek() == "struct") continue;
+      const std::size_t begin = at_;
+      Function function;
+      function.returns = type();
+      const std::string name = word();
+      expect("(");
+      while (!took(")")) {
+        took(",");
+        function.parameters.push_back(type());
+        word();
+      }
+      std::vector<Function>& same = functions_[name];
+      const bool colors = std::ranges::find(function.parameters, "vec3f") != function.parameters.end();
+      function.name = kept_apart(name) + (same.empty()                 ? ""
+                                          : colors && same.size() == 1 ? "_rgb"
+                                                                       : "_" + std::to_string(same.size()));
+      same.push_back(std::move(function));
+      at_ = begin;
+    }
+    at_ = 0;
+  }
+
+  void definition() {
+    if (took("struct")) return structure();
+    if (took("const")) {
+      const std::string of = type(), name = word();
+      expect("=");
+      globals_[name] = of;
+      out_ += "const " + kept_apart(name) + ": " + of + " = " + expression().text + ";";
+      return expect(";");
+    }
+    function();
+  }
+
+  void structure() {
+    const std::string name = word();
+    expect("{");
+    out_ += "struct " + name + " {\n";
+    while (!took("}")) {
+      const std::string of = type(), member = word();
+      expect(";");
+      structs_[name][member] = of;
+      out_ += "  " + kept_apart(member) + ": " + of + ",\n";
+    }
+    expect(";");
+    out_ += "}";
+  }
+
+  void function() {
+    locals_.clear();
+    const std::string returns = type(), name = word();
+    std::vector<std::string> types;
+    std::string parameters;
+    expect("(");
+    while (!took(")")) {
+      took(",");
+      types.push_back(type());
+      const std::string parameter = word();
+      locals_[parameter] = types.back();
+      parameters += (parameters.empty() ? "" : ", ") + kept_apart(parameter) + ": " + types.back();
+    }
+    out_ += "fn " + overload(name, types).name + '(' + parameters + ") -> " + returns + " {";
+    expect("{");
+    block(1);
+    out_ += "}";
+  }
+
+  // ---- statements
+
+  // The statements up to the closing brace, with the line ends and comments between them.
+  void block(std::size_t depth) {
+    const std::string indent(2 * depth, ' ');
+    while (peek() != "}") {
+      if (peek() == "\n") {
+        out_ += take();
+      } else if (is_comment(peek())) {
+        out_ += (out_.ends_with('\n') ? indent : " ") + std::string(take());
+      } else {
+        out_ += indent;
+        statement(depth);
+      }
+    }
+    expect("}");
+  }
+
+  void statement(std::size_t depth) {
+    if (took("return")) {
+      out_ += "return " + expression().text + ';';
+      return expect(";");
+    }
+    if (took("if")) return condition(depth);
+    if (is_type(peek()) && !peek().empty() && peek(1) != "(") return declaration();
+    const std::string target = postfix().text;
+    std::string by;
+    while (peek() != "=") by += take();
+    expect("=");
+    out_ += target + ' ' + by + "= " + expression().text + ';';
+    expect(";");
+  }
+
+  void condition(std::size_t depth) {
+    expect("(");
+    out_ += "if (" + expression().text + ") {\n" + std::string(2 * depth + 2, ' ');
+    expect(")");
+    skip();
+    if (took("{"))
+      block(depth + 1);
+    else
+      statement(depth + 1);
+    out_ += '\n' + std::string(2 * depth, ' ') + '}';
+  }
+
+  void declaration() {
+    const std::string of = type(), name = word();
+    locals_[name] = of;
+    if (took(";")) {
+      out_ += "var " + kept_apart(name) + ": " + of + ';';
+      return;
+    }
+    expect("=");
+    const std::string value = expression().text;
+    expect(";");
+    out_ += (is_set_later(name) ? "var " : "let ") + kept_apart(name) + ": " + of + " = " + value + ';';
+  }
+
+  std::string out_;
 };
 
 }  // namespace
