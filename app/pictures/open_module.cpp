@@ -70,6 +70,13 @@ PictureDoor picture_door_behind(const OpenDoors& doors) {
                             const std::string& place) {
     return doors(place).picture_door().mesh.draco(bytes, arrays, place);
   };
+  door.astc.encode = [doors](std::span<const AnyBlock> blocks, const AstcEncoding& how, std::uint8_t* bytes) {
+    doors(setting("compress")).picture_door().astc.encode(blocks, how, bytes);
+  };
+  door.astc.decode = [doors](std::string_view bytes, const AstcEncoding& how, int width, int height,
+                             const std::string& place) {
+    return doors(place).picture_door().astc.decode(bytes, how, width, height, place);
+  };
   return door;
 }
 

@@ -46,12 +46,13 @@ inline PixelBox stored_box(const Region& region) {
 
 /// How regions are placed on pages.
 struct PlanOptions {
-  RectOptions rects;           // form, side, rotation, effort, threads
-  bool free_first = false;     // one page of any sides where that holds everything, else `rects.form`
-  int levels = 1;              // mips that will be sampled, level 0 among them; 0: down to 1 x 1
-  std::optional<int> gutter;   // texels on every side at least; none: from the mips of each region
-  int least_gutter = 0;        // where gutters come from the mips: at least so many texels
-  bool blocks = false;         // no block of 4 x 4 texels of a clean mip holds texels of two regions
+  RectOptions rects;          // form, side, rotation, effort, threads
+  bool free_first = false;    // one page of any sides where that holds everything, else `rects.form`
+  int levels = 1;             // mips that will be sampled, level 0 among them; 0: down to 1 x 1
+  std::optional<int> gutter;  // texels on every side at least; none: from the mips of each region
+  int least_gutter = 0;       // where gutters come from the mips: at least so many texels
+  int block_side =
+      0;  // above 0: no block of so many texels a side of a clean mip holds texels of two regions
   bool may_inset = true;       // no gutters where they would cost more than a quarter of the area
   bool bare_alone = true;      // without inset: the only region takes a page of just its size
   bool split_textures = true;  // regions that one texture can do without may go to pages of their own

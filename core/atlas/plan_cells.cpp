@@ -42,17 +42,17 @@ Cells cells_of(const std::vector<Region>& regions, const PlanOptions& options, b
     const int most = clean_limit > 0 ? std::min(clean_limit, wanted) : wanted;
     int clean = clean_levels(region.width(), region.height(), most, options.gutter);
     // A grid of blocks is coarser: one clean mip less leaves as few texels between regions as without blocks.
-    if (options.blocks && !options.gutter) clean = std::max(1, clean - 1);
+    if (options.block_side > 0 && !options.gutter) clean = std::max(1, clean - 1);
     // Bilinear filtering of the last clean mip, 2^(clean - 1) texels to one, reads one beyond the edge.
     const int needed = gutters ? std::max(options.least_gutter, 1 << (clean - 1)) : 0;
     // A given gutter grows to the grid of the mips: the region itself must begin on it.
     const int gutter = options.gutter ? rounded_up(*options.gutter, 1 << (clean - 1)) : needed;
     if (!gutters && !options.gutter)
-      clean = std::min(most, std::max(1, log2_floor(smaller) - (options.blocks ? 3 : 1)));
+      clean = std::min(most, std::max(1, log2_floor(smaller / (2 * std::max(1, options.block_side)))));
     out.gutters.push_back(gutter);
     out.clean.push_back(clean);
-    if (options.blocks)
-      out.align = std::max(out.align, block_side << (clean - 1));
+    if (options.block_side > 0)
+      out.align = std::max(out.align, options.block_side << (clean - 1));
     else if (wanted > 1)
       out.align = std::max(out.align, 1 << (clean - 1));
   }

@@ -18,6 +18,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/steady_file.h"
+#include "core/image/astc_codec.h"
 #include "core/image/files/icc.h"
 #include "core/image/mesh_codecs.h"
 #include "core/image/picture_bytes.h"
@@ -313,7 +314,8 @@ PictureDoor picture_door() {
                                       : tiff_bytes(image, std::string(fourth));
           },
           text_picture,
-          mesh_door()};
+          mesh_door(),
+          astc_door()};
 }
 
 namespace {

@@ -45,8 +45,8 @@ Picture read_picture(std::string_view bytes, const std::string& label);
 ///   size   of the font in pixels
 TextPicture text_picture(std::string_view text, int size);
 
-/// The functions above and below as a PictureDoor, for load_picture(), for writing floats and for text, and the decoders of
-/// mesh_codecs.h.
+/// The functions above and below as a PictureDoor, for load_picture(), for writing floats and for text, the decoders of
+/// mesh_codecs.h, and astc_codec.h.
 PictureDoor picture_door();
 
 /// Writes a PNG file. The whole file is made in memory and then put in place at once (write_file of

@@ -35,11 +35,12 @@ Picture whole(PngReader& png) {
 
 // Level 0 of a KTX2 or DDS file that etak reads itself: OpenImageIO has no reader of KTX2, and refuses RGBA8 under the
 // newer header of DDS. DDS files of other formats than RGBA8 and BC1 to BC7 are left to the door.
-std::optional<Picture> texture_file(std::string_view bytes, const std::string& label) {
+std::optional<Picture> texture_file(std::string_view bytes, const std::string& label,
+                                    const PictureDoor& door) {
   const std::string format = picture_format(bytes.substr(0, 32), label);
   const bool ktx2 = format == "ktx2";
   if (!ktx2 && (format != "dds" || !has_known_dds_format(bytes))) return {};
-  TextureFile file = ktx2 ? read_ktx2(bytes, label) : read_dds(bytes, label);
+  TextureFile file = ktx2 ? read_ktx2(bytes, label, door.astc) : read_dds(bytes, label);
   Picture out{header_of(file.levels.front()), {}};
   out.header.format = format;
   out.header.lossy = file.blocks != nullptr;
@@ -120,7 +121,7 @@ Picture load_picture(std::string_view bytes, const std::string& label, const Pic
         BytesInMemory file(bytes);
         if (auto png = PngReader::open(file, label))
           return png->header().bits == 8 ? whole<std::uint8_t>(*png) : whole<std::uint16_t>(*png);
-        if (auto texture = texture_file(bytes, label)) return *std::move(texture);
+        if (auto texture = texture_file(bytes, label, door)) return *std::move(texture);
         Picture out = decoded(door.bytes, label, bytes, label);
         if (const auto png = png_header(file)) {
           out.header.palette = png->palette;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/image/blocks/astc_door.h"
 #include "core/image/image.h"
 #include "core/image/pixels_view.h"
 #include "core/math/mesh_door.h"
@@ -76,6 +77,7 @@ struct TextPicture {
 ///                  format "webp" a lossless one of codes of 8 bits, which are given as fractions
 ///   text           draws a line of text in DejaVu Sans; `size` of the font in pixels
 ///   mesh           decompresses meshes of scenes
+///   astc           compresses and decodes textures of ASTC
 struct PictureDoor {
   std::function<PictureHeader(const std::string& path)> header;
   std::function<Picture(const std::string& path)> file;
@@ -83,6 +85,7 @@ struct PictureDoor {
   std::function<std::string(const Image& image, std::string_view format, std::string_view fourth)> encode;
   std::function<TextPicture(std::string_view text, int size)> text;
   MeshDoor mesh;
+  AstcDoor astc;
 };
 
 /// The rows of a picture from the top, as RGBA: grey is copied to three channels, and a missing fourth

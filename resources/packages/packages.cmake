@@ -56,7 +56,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libxxhash-dev, zlib1g-dev, libzstd-dev, libisal-dev, libpugixml-dev")
 if(ETAK_BUILD_PICTURES)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    ", libbenchmark-dev, libepoxy-dev, libopencolorio-dev, libopenimageio-dev, libmeshoptimizer-dev, libdraco-dev, libwebp-dev")
+    ", libbenchmark-dev, libepoxy-dev, libopencolorio-dev, libopenimageio-dev, libmeshoptimizer-dev, libdraco-dev, libwebp-dev, libastcenc-dev")
 endif()
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "cmake, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "C++ library of measured optics and shading models

@@ -207,7 +207,12 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source, c
   out.rects.max_seconds = options.layout.max_seconds;
   out.rects.threads = options.run.threads;
   out.levels = levels_sampled(options, source);
-  out.blocks = options.output.compress.how != Compression::none;
+  if (const BlockFormat* format = options.output.compress.format; format != nullptr) {
+    out.block_side = format->block_width;
+    // No page whose sides are powers of two holds whole blocks of 5 or 6 texels alone.
+    if (!std::has_single_bit(static_cast<unsigned>(out.block_side)) && !options.layout.form)
+      out.rects.form = PageForm::free;
+  }
   // A region by itself takes a page of just its size, without gutters, unless they were asked for.
   out.gutter = regions.size() == 1 ? options.layout.gutter : way.gutter;
   out.split_textures = !options.leave_out.keep.contains("textures") && !source.one_page;

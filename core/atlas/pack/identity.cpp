@@ -22,8 +22,9 @@ std::string settings_hash(const PackOptions& options, const PackSource& source) 
   std::string text = options.run.version + '|' + inputs.settings + '|' + options.check.settings + '|';
   for (const std::string& each : options.leave_out.keep) text += each + ',';
   for (const std::string& each : options.output.write.formats) text += each + ',';
-  if (const CompressOptions& blocks = output.compress; blocks.how != Compression::none) {
-    text += "blocks," + std::to_string(static_cast<int>(blocks.how)) + ',' + std::to_string(blocks.effort);
+  if (const CompressOptions& blocks = output.compress; blocks.format != nullptr) {
+    text += "blocks," + std::string(blocks.format->name) + (blocks.falls_back ? ",auto," : ",") +
+            std::to_string(blocks.effort);
     for (const double part :
          {blocks.budget.diffuse, blocks.budget.f0, blocks.budget.gloss, blocks.budget.alpha})
       text += ',' + etak::number(part, 17);

@@ -136,7 +136,19 @@ CompressOptions compress_options(const PackSettings& s, const WriteOptions& writ
   if (!writes_containers(write))
     throw Error::at(setting("compress"), s.compress + " without a file that can hold blocks",
                     setting("textures") + " ktx2 or dds");
-  out.how = s.compress == "bc7" ? Compression::bc7 : Compression::automatic;
+  out = compress_word(s.compress);
+  const auto has = [&](std::string_view format) {
+    return std::ranges::find(write.formats, format) != write.formats.end();
+  };
+  if (out.format->code == BlockCode::astc && has("dds"))
+    throw Error::at(setting("compress"), s.compress + " beside DDS files, which have no number for ASTC",
+                    setting("textures") + " ktx2");
+  if (!std::has_single_bit(static_cast<unsigned>(out.format->block_width)) && s.page_form != "auto" &&
+      s.page_form != "free" && s.page_form != "square")
+    throw Error::at(
+        setting("page-form"),
+        s.page_form + " beside blocks of " + std::to_string(out.format->block_width) + " texels a side",
+        "auto, free or square");
   out.budget = parse_block_budget(s.block_error);
   out.effort = s.compress_effort;
   return out;

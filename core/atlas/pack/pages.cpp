@@ -58,13 +58,13 @@ void write_files(const WholePage& page, const PackOptions& options, const PackSo
   for (const Texture texture : both_textures) {
     stages.stop_if_cancelled();
     if (!page.decision.plan.pages[static_cast<std::size_t>(page.number)].has[index_of(texture)]) continue;
-    if (options.output.compress.how == Compression::none) {
+    if (options.output.compress.format == nullptr) {
       write_page(*to.folder, page.number, texture, page.pixels, page.options);
       continue;
     }
-    const CompressedTexture made =
-        compress_texture({page.decision, source.inputs.materials, page.number, texture, page.pixels,
-                          source.inputs.gloss, options.output.compress, options.run.threads});
+    const CompressedTexture made = compress_texture(
+        {page.decision, source.inputs.materials, page.number, texture, page.pixels, source.inputs.gloss,
+         options.output.compress, options.input.pictures.door.astc, options.run.threads});
     to.blocks.insert(to.blocks.end(), made.report.begin(), made.report.end());
     WriteOptions write = page.options;
     if (!made.blocks && write.zstd_level == 0 && has_zstd()) write.zstd_level = zstd_of_fallback;

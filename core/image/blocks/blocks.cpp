@@ -10,8 +10,8 @@ namespace {
 
 constexpr int block_side = 4;
 
-std::size_t blocks_along(int texels) {
-  return static_cast<std::size_t>(texels + block_side - 1) / block_side;
+std::size_t blocks_along(int texels, int side) {
+  return static_cast<std::size_t>((texels + side - 1) / side);
 }
 
 std::uint64_t number_of(const std::uint8_t* bytes, int count) {
@@ -86,10 +86,12 @@ const BlockFormat* block_format_named(std::string_view name) {
 
 std::size_t texture_level_bytes(const BlockFormat* format, int width, int height) {
   if (format == nullptr) return 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  return blocks_along(width) * blocks_along(height) * format->block_bytes;
+  return blocks_along(width, format->block_width) * blocks_along(height, format->block_height) *
+         format->block_bytes;
 }
 
 BlockTexels decode_block(BlockCode code, const std::uint8_t* block) {
+  assert(code != BlockCode::astc);
   if (code == BlockCode::bc7) return decode_bc7(block);
   BlockTexels out;
   out.fill({0, 0, 0, 255});

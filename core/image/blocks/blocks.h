@@ -10,17 +10,18 @@
 
 namespace etak {
 
-/// The ways in which a texture for a GPU keeps blocks of 4 x 4 texels.
-enum class BlockCode { bc1, bc2, bc3, bc4, bc5, bc7 };
+/// The ways in which a texture for a GPU keeps blocks of texels.
+enum class BlockCode { bc1, bc2, bc3, bc4, bc5, bc7, astc };
 
 /// A format of textures in blocks, with the numbers by which the headers of files name it; 0: it has none.
 struct BlockFormat {
   std::string_view name;
   BlockCode code;
-  std::size_t block_bytes;        // of 4 x 4 texels
+  std::size_t block_bytes;
   int channels;                   // of the decoded picture; see decode_block()
   std::uint32_t vk, vk_srgb;      // VkFormat, in KTX2
   std::uint32_t dxgi, dxgi_srgb;  // DXGI_FORMAT, in DDS
+  int block_width = 4, block_height = 4;
 };
 
 inline constexpr std::array block_formats{
@@ -30,7 +31,15 @@ inline constexpr std::array block_formats{
     BlockFormat{"BC3", BlockCode::bc3, 16, 4, 137, 138, 77, 78},
     BlockFormat{"BC4", BlockCode::bc4, 8, 1, 139, 0, 80, 0},
     BlockFormat{"BC5", BlockCode::bc5, 16, 3, 141, 0, 83, 0},
-    BlockFormat{"BC7", BlockCode::bc7, 16, 4, 145, 146, 98, 99}};
+    BlockFormat{"BC7", BlockCode::bc7, 16, 4, 145, 146, 98, 99},
+    BlockFormat{"ASTC 4x4", BlockCode::astc, 16, 4, 157, 158, 0, 0, 4, 4},
+    BlockFormat{"ASTC 5x4", BlockCode::astc, 16, 4, 159, 160, 0, 0, 5, 4},
+    BlockFormat{"ASTC 5x5", BlockCode::astc, 16, 4, 161, 162, 0, 0, 5, 5},
+    BlockFormat{"ASTC 6x5", BlockCode::astc, 16, 4, 163, 164, 0, 0, 6, 5},
+    BlockFormat{"ASTC 6x6", BlockCode::astc, 16, 4, 165, 166, 0, 0, 6, 6},
+    BlockFormat{"ASTC 8x5", BlockCode::astc, 16, 4, 167, 168, 0, 0, 8, 5},
+    BlockFormat{"ASTC 8x6", BlockCode::astc, 16, 4, 169, 170, 0, 0, 8, 6},
+    BlockFormat{"ASTC 8x8", BlockCode::astc, 16, 4, 171, 172, 0, 0, 8, 8}};
 
 /// The row of block_formats whose number in KTX2 or DDS files this is, for sRGB-encoded colour or not; null for
 /// others.
@@ -43,8 +52,8 @@ const BlockFormat* block_format_named(std::string_view name);
 ///   format   null: four bytes a texel
 std::size_t texture_level_bytes(const BlockFormat* format, int width, int height);
 
-/// The 16 texels of a block as RGBA codes, row by row from the top, as a GPU samples them: what a format does not hold
-/// is 0 in colour and 255 in alpha, so that BC5 has red and green alone and BC4 red. Every row of bytes is a block. BC7
+/// The 16 texels of a block of BC1 to BC7 as RGBA codes, row by row from the top, as a GPU samples them: what a format does not
+/// hold is 0 in colour and 255 in alpha, so that BC5 has red and green alone and BC4 red. Every row of bytes is a block. BC7
 /// is exact. Formats whose values lie between codes (BC1 to BC5) give the code nearest to the exact value.
 ///   block   block_bytes bytes
 ///   from    Khronos Data Format Specification 1.3, chapters 18 to 20 (S3TC, RGTC, BPTC); Direct3D 11.3 functional
@@ -55,7 +64,7 @@ BlockTexels decode_bc7(const std::uint8_t* block);
 
 /// The texels of one mip level, with as many channels as the format has.
 ///   bytes    texture_level_bytes() bytes
-///   format   null: RGBA8
+///   format   null: RGBA8; any other but ASTC, which AstcDoor decodes
 Image8 level_of(std::string_view bytes, const BlockFormat* format, int width, int height);
 
 }  // namespace etak

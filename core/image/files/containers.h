@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image/blocks/astc_door.h"
 #include "core/image/blocks/blocks.h"
 #include "core/image/image.h"
 #include "core/image/pixels_view.h"
@@ -75,7 +76,8 @@ struct TextureFile {
 /// layer, one face, alpha not premultiplied; KTX2 also with Zstandard, DDS of blocks also under the headers of
 /// Direct3D 9, which do not tell sRGB). Sizes, level counts and offsets are checked before memory is allocated.
 /// They throw Error that names `path`.
-TextureFile read_ktx2(std::string_view bytes, std::string_view path);
+///   astc   decodes ASTC; such files are refused where it is empty
+TextureFile read_ktx2(std::string_view bytes, std::string_view path, const AstcDoor& astc = {});
 TextureFile read_dds(std::string_view bytes, std::string_view path);
 /// Whether the header of a DDS file names RGBA8 or a format of block_formats, the forms that read_dds() reads.
 bool has_known_dds_format(std::string_view bytes);

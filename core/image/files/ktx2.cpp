@@ -65,7 +65,8 @@ std::vector<Sample> samples_of(const BlockFormat* blocks) {
 // The number of the colour model of a format: 1 is RGB with alpha.
 std::uint64_t colour_model(const BlockFormat* blocks) {
   if (blocks == nullptr) return 1;
-  constexpr std::uint64_t bc1 = 128, bc7 = 134;
+  constexpr std::uint64_t bc1 = 128, bc7 = 134, astc = 162;
+  if (blocks->code == BlockCode::astc) return astc;
   return blocks->code == BlockCode::bc7 ? bc7 : bc1 + static_cast<std::uint64_t>(blocks->code);
 }
 
@@ -83,8 +84,11 @@ std::string data_format_descriptor(const BlockFormat* blocks, bool srgb) {
   append(out, colour_model(blocks), 1);
   append(out, primaries_bt709, 1);
   append(out, srgb ? transfer_srgb : transfer_linear, 1);
-  append(out, 0, 1);                              // straight alpha
-  append32(out, blocks == nullptr ? 0 : 0x0303);  // texel blocks of 1 x 1 x 1 x 1, or of 4 x 4 x 1 x 1
+  append(out, 0, 1);  // straight alpha
+  // The sides of a texel block, each less 1: 1 x 1 x 1 x 1, or those of a block.
+  append(out, blocks == nullptr ? 0 : static_cast<std::uint64_t>(blocks->block_width - 1), 1);
+  append(out, blocks == nullptr ? 0 : static_cast<std::uint64_t>(blocks->block_height - 1), 1);
+  append(out, 0, 2);
   // The bytes of a texel block in plane 0, also with supercompression (where older revisions wanted 0).
   append64(out, blocks == nullptr ? 4 : blocks->block_bytes);
   for (const Sample& sample : samples) {
@@ -212,6 +216,16 @@ struct Reader {
 #endif
 };
 
+// The texels of a level; ASTC by the functions that the program has for it.
+Image8 decoded_level(std::string_view bytes, const TextureFile& file, const TextureLevel& level,
+                     const AstcDoor& astc, std::string_view path) {
+  if (file.blocks == nullptr || file.blocks->code != BlockCode::astc)
+    return level_of(bytes, file.blocks, level.width, level.height);
+  if (!astc.decode)
+    throw Error::at(path, "is in ASTC, which needs a decoder of pictures", "BC1 to BC7, or RGBA8");
+  return astc.decode(bytes, {file.blocks, file.srgb}, level.width, level.height, std::string(path));
+}
+
 }  // namespace
 
 bool has_zstd() {
@@ -305,14 +319,15 @@ void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_le
   write_ktx2(texture_levels(levels), nullptr, srgb, zstd_level, sink);
 }
 
-TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
+TextureFile read_ktx2(std::string_view bytes, std::string_view path, const AstcDoor& astc) {
   const Reader r{bytes, path};
   if (bytes.substr(0, identifier.size()) != identifier) r.fail("no KTX 2.0 identifier", "a KTX 2.0 file");
   if (bytes.size() < header_bytes) r.fail("a header that breaks off", "80 bytes");
   const std::uint32_t format = r.u32(12), scheme = r.u32(44);
   const BlockFormat* blocks = block_format_of_vk(format);
-  r.expect(blocks != nullptr || format == vk_r8g8b8a8_unorm || format == vk_r8g8b8a8_srgb, "Vulkan format",
-           format, "37 or 43 (R8G8B8A8), 131 to 138 (BC1 to BC3), 139 (BC4), 141 (BC5), 145 or 146 (BC7)");
+  r.expect(
+      blocks != nullptr || format == vk_r8g8b8a8_unorm || format == vk_r8g8b8a8_srgb, "Vulkan format", format,
+      "37 or 43 (R8G8B8A8), 131 to 138 (BC1 to BC3), 139 (BC4), 141 (BC5), 145 or 146 (BC7) or 157 to 172 (ASTC)");
   r.expect(r.u32(16) == 1, "typeSize", r.u32(16), "1");
   const std::uint32_t width = r.u32(20), height = r.u32(24);
   for (const std::uint32_t side : {width, height})
@@ -367,7 +382,7 @@ TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
       r.decompress(data[l], plain);
     }
     const std::string_view texels = scheme == scheme_zstd ? plain : data[l];
-    file.levels.push_back(level_of(texels, blocks, side(width, l), side(height, l)));
+    file.levels.push_back(decoded_level(texels, file, {side(width, l), side(height, l), {}}, astc, path));
   }
   return file;
 }

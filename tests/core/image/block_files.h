@@ -25,11 +25,12 @@ inline std::string random_bytes(std::size_t count, unsigned seed) {
   return out;
 }
 
-/// Random blocks with all mips. Every ninth block of BC7 has the reserved mode, the others have each mode in turn.
+/// Random blocks with all mips. Every ninth block of BC7 has the reserved mode, the others have each mode in turn; every
+/// ninth block of ASTC is of one colour (a void extent), and no other has that mode with reserved bits of its own.
 inline BlockTexture random_blocks(const BlockFormat& format, int width, int height, unsigned seed) {
   BlockTexture out{width, height, {}};
   for (int w = width, h = height;; w = std::max(1, w / 2), h = std::max(1, h / 2)) {
-    const auto blocks = static_cast<std::size_t>((w + 3) / 4 * ((h + 3) / 4));
+    const auto blocks = texture_level_bytes(&format, w, h) / format.block_bytes;
     std::string bytes = random_bytes(blocks * format.block_bytes, seed++);
     if (format.name == "BC7")
       for (std::size_t i = 0; i < blocks; ++i) {
@@ -37,6 +38,15 @@ inline BlockTexture random_blocks(const BlockFormat& format, int width, int heig
         const unsigned mode = static_cast<unsigned>(i % 9);
         bytes[16 * i] = static_cast<char>(mode == 8 ? 0 : (first >> mode | 1) << mode);
       }
+    for (std::size_t i = 0; format.code == BlockCode::astc && i < blocks; ++i) {
+      char* const block = &bytes[16 * i];
+      const bool extent = block[0] == '\xfc' && (block[1] & 1) != 0;
+      if (i % 9 == 8) block[0] = '\xfc';
+      if (extent || i % 9 == 8) {
+        block[1] = static_cast<char>(block[1] | 0xfd);  // bit 9 tells colours of 16 bits from half floats
+        std::fill_n(block + 2, 6, '\xff');
+      }
+    }
     out.levels.push_back(bytes);
     if (w == 1 && h == 1) return out;
   }
@@ -52,12 +62,14 @@ inline std::string raw_zstd(const std::string& bytes) {
 
 /// The data format descriptor of a format in blocks, in words of 32 bits (Khronos Data Format 1.3, chapter 5).
 ///   samples   {first bit, bits, channel} of each
+///   sides     of a block, each less 1: the height in bits 8 to 15, the width in bits 0 to 7
 inline std::string block_descriptor(unsigned model, bool srgb, unsigned block_bytes,
-                                    const std::vector<std::array<unsigned, 3>>& samples) {
+                                    const std::vector<std::array<unsigned, 3>>& samples,
+                                    unsigned sides = 0x0303u) {
   const auto size = static_cast<unsigned>(24 + 16 * samples.size());
   std::string out;
   for (const unsigned word :
-       {size + 4, 0u, size << 16 | 2, (srgb ? 2u : 1u) << 16 | 1u << 8 | model, 0x0303u, block_bytes, 0u})
+       {size + 4, 0u, size << 16 | 2, (srgb ? 2u : 1u) << 16 | 1u << 8 | model, sides, block_bytes, 0u})
     bytes_le::append32(out, word);
   for (const auto& each : samples)
     for (const unsigned word : {each[2] << 24 | (each[1] - 1) << 16 | each[0], 0u, 0u, 0xffffffffu})

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "core/base/number.h"
 #include "core/light/rows.h"
@@ -427,4 +428,21 @@ TEST_CASE(
     REQUIRE(strips.ways.size() == 5);
     for (const ErrorTimeStrips::Row& row : strips.ways) CHECK(row.png.starts_with("\x89PNG"));
   }
+}
+
+TEST_CASE("blocks: channels weighed by shading keep F0 nearer, and fewer bits lose gloss first") {
+  const ErrorTimeFamily family = block_family(quick());
+  check_form(family);
+  check_same_again(family, block_family);
+  const ErrorTimeTable &gloss = test::table(family, "materials"), &stone = test::table(family, "stone");
+  for (const std::string way : {"bc7", "astc4"}) {
+    CHECK(error(gloss, way + "_2", "f0_de_mean") < error(gloss, way + "_alike", "f0_de_mean"));
+    CHECK(error(gloss, way + "_2", "bits") == 8);
+  }
+  double last = error(gloss, "astc4_2", "gloss_mean");
+  for (const char* fewer : {"astc5", "astc6", "astc8"})
+    CHECK(std::exchange(last, error(gloss, fewer, "gloss_mean")) < error(gloss, fewer, "gloss_mean"));
+  CHECK(error(gloss, "astc8", "bits") == 2);
+  CHECK(error(gloss, "astc8", "gloss_p99") > 3 * error(gloss, "astc4_2", "gloss_p99"));
+  CHECK(error(stone, "astc8", "diffuse_de_p99") < 2 * error(stone, "astc4_2", "diffuse_de_p99"));
 }

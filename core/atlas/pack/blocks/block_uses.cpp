@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/atlas/planning.h"
 #include "core/atlas/texels/page_pixels.h"
 
 namespace etak {
@@ -20,24 +19,22 @@ LevelBox at_level(const PixelBox& box, int around, int level, int width, int hei
           std::min(width, up(box.x + box.width + around)), std::min(height, up(box.y + box.height + around))};
 }
 
-using planning::block_side;
-
 template <class See>
-void each_block(const LevelBox& box, int across, const See& see) {
+void each_block(const LevelBox& box, int side, int across, const See& see) {
   if (box.right <= box.left) return;
-  for (int y = box.top / block_side; y * block_side < box.bottom; ++y)
-    for (int x = box.left / block_side; x * block_side < box.right; ++x)
+  for (int y = box.top / side; y * side < box.bottom; ++y)
+    for (int x = box.left / side; x * side < box.right; ++x)
       see(static_cast<std::size_t>(y) * static_cast<std::size_t>(across) + static_cast<std::size_t>(x));
 }
 
 }  // namespace
 
-BlockUses block_uses(const PackDecision& decision, int page, Texture texture, int level) {
+BlockUses block_uses(const PackDecision& decision, int page, Texture texture, int level, int side) {
   const PlannedPage& of = decision.plan.pages[static_cast<std::size_t>(page)];
   const int width = std::max(1, of.width >> level), height = std::max(1, of.height >> level);
   BlockUses out;
-  out.across = (width + block_side - 1) / block_side;
-  out.down = (height + block_side - 1) / block_side;
+  out.across = (width + side - 1) / side;
+  out.down = (height + side - 1) / side;
   out.owner.resize(static_cast<std::size_t>(out.across) * static_cast<std::size_t>(out.down));
   out.used.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   // By block: no region, or one by its number from 1 on. The pieces of an outline are one region.
@@ -53,13 +50,13 @@ BlockUses block_uses(const PackDecision& decision, int page, Texture texture, in
     if (!piece) number = static_cast<std::uint32_t>(r) + 1;
     if (at.page != page || !apart) continue;
     const PixelBox box = box_on_page(region, at);
-    each_block(at_level(box, at.gutter, level, width, height), out.across, [&](std::size_t b) {
+    each_block(at_level(box, at.gutter, level, width, height), side, out.across, [&](std::size_t b) {
       if (holds[b] != 0 && holds[b] != number) shared[b] = 1;
       holds[b] = number;
     });
     if (level >= at.clean_levels || !region.in[index_of(texture)]) continue;
     const LevelBox inside = at_level(box, 0, level, width, height);
-    each_block(inside, out.across,
+    each_block(inside, side, out.across,
                [&](std::size_t b) { out.owner[b] = static_cast<std::uint32_t>(region.material); });
     for (int y = inside.top; y < inside.bottom; ++y)
       std::fill_n(out.used.begin() + static_cast<std::ptrdiff_t>(y) * width + inside.left,

@@ -21,6 +21,7 @@ struct BlockUses {
   std::size_t shared = 0;
 };
 
-BlockUses block_uses(const PackDecision& decision, int page, Texture texture, int level);
+///   side   of the blocks, which are square
+BlockUses block_uses(const PackDecision& decision, int page, Texture texture, int level, int side);
 
 }  // namespace etak

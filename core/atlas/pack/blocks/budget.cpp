@@ -40,6 +40,17 @@ BlockBudget parse_block_budget(const std::string& text) {
   return out;
 }
 
+CompressOptions compress_word(std::string_view word) {
+  CompressOptions out;
+  if (word == "none") return out;
+  out.falls_back = word == "auto" || word == "astc";
+  std::string name = "BC7";
+  if (word == "astc") name = "ASTC 4x4";
+  if (word.starts_with("astc:")) name = "ASTC " + std::string(word.substr(5));
+  out.format = block_format_named(name);
+  return out;
+}
+
 void Spread::add(double difference) {
   // Differences beyond the last bin are told as the largest.
   const auto bin =

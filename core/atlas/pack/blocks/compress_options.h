@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/image/blocks/blocks.h"
 #include "core/image/channels.h"
 
 namespace etak {
@@ -23,16 +25,18 @@ struct BlockBudget {
 BlockBudget parse_block_budget(const std::string& text);
 
 /// What becomes of the textures of KTX2 and DDS files.
-///   bc7         blocks of BC7, whatever the error
-///   automatic   the same for those textures of a page on which every material stays within the budget
-enum class Compression { none, bc7, automatic };
-
-/// How textures are compressed.
+///   format       BC7 or ASTC, of square blocks; null: they stay RGBA8
+///   falls_back   textures of a page on which some material does not keep to the budget stay RGBA8 all the same
+///   effort       of the first try, as encode_blocks() and AstcEncoding have it
 struct CompressOptions {
-  Compression how = Compression::none;
+  const BlockFormat* format = nullptr;
+  bool falls_back = false;
   BlockBudget budget;
-  int effort = 2;  // BlockEncoding::effort of the first try
+  int effort = 2;
 };
+
+/// The options of a word: none, bc7, astc:4x4, astc:5x5, astc:6x6 or astc:8x8; with a fallback auto (BC7) and astc (4x4).
+CompressOptions compress_word(std::string_view word);
 
 /// What compression does to the texels of a material on one level of a texture, in the units of BlockBudget. Materials
 /// that read the same texels are told by the name of the first.
@@ -49,7 +53,8 @@ struct BlockLevel {
   int page = 0;
   Texture texture = Texture::diffuse_alpha;
   int level = 0;
-  std::string format;                 // as it is written: "BC7" or "RGBA8"
+  std::string tried;                  // the name of the format of blocks
+  std::string format;                 // as it is written: the same, or "RGBA8"
   std::size_t bytes = 0, texels = 0;  // the same
   double seconds = 0;                 // of compressing alone
   std::size_t blocks = 0, escalated = 0, shared = 0;

@@ -7,21 +7,16 @@
 #include <optional>
 #include <utility>
 
+#include "core/atlas/pack/blocks/block_codec.h"
 #include "core/atlas/pack/blocks/block_uses.h"
 #include "core/atlas/pack/blocks/budget.h"
-#include "core/atlas/planning.h"
 #include "core/atlas/texels/page_pixels.h"
 #include "core/base/parallel.h"
 
 namespace etak {
 namespace {
 
-using planning::block_side;
-constexpr std::size_t bc7_bytes = 16;
-
-const BlockFormat& bc7_format() {
-  return *block_format_named("BC7");
-}
+using Texel = std::array<std::uint8_t, 4>;
 
 // Differences of a material's texels.
 struct Spreads {
@@ -37,18 +32,19 @@ class LevelInBlocks {
   LevelInBlocks(const BlockJob& job, const BlockMeasure& measure, int level)
       : job_(job),
         measure_(measure),
+        codec_(*job.how.format, job.astc),
         view_(job.pixels.view(job.texture, level)),
-        uses_(block_uses(job.decision, job.page, job.texture, level)),
-        bytes_(bc7_bytes * uses_.owner.size(), '\0'),
+        uses_(block_uses(job.decision, job.page, job.texture, level, job.how.format->block_width)),
+        bytes_(codec_.format().block_bytes * uses_.owner.size(), '\0'),
         excess_(uses_.owner.size()) {}
 
   // Compresses all blocks.
-  void encode(const BlockEncoding& how) {
+  void encode(const BlockTry& how) {
     timed([&] {
       each_row([&](std::size_t row, unsigned) {
-        std::vector<BlockSource> sources(across());
+        std::vector<AnyBlock> sources(across());
         for (std::size_t x = 0; x < sources.size(); ++x) sources[x] = weighted(source(row * across() + x));
-        encode_blocks(sources, how, block(row * across()));
+        codec_.encode(std::move(sources), how, block(row * across()));
       });
     });
   }
@@ -57,12 +53,14 @@ class LevelInBlocks {
   ByMaterial measure() {
     std::vector<ByMaterial> by_worker(job_.threads, ByMaterial(job_.materials.size()));
     each_row([&](std::size_t row, unsigned worker) {
-      for (std::size_t b = row * across(); b < (row + 1) * across(); ++b) {
+      const std::vector<Texel> decoded = codec_.decode(block(row * across()), across());
+      for (std::size_t x = 0; x < across(); ++x) {
+        const std::size_t b = row * across() + x;
         excess_[b] = 0;
         if (!uses_.owner[b]) continue;
         std::optional<Spreads>& to = by_worker[worker][*uses_.owner[b]];
         if (!to) to.emplace(measure_);
-        excess_[b] = compare(b, block(b), &*to);
+        excess_[b] = compare(b, &decoded[codec_.texels() * x], &*to);
       }
     });
     ByMaterial out = std::move(by_worker[0]);
@@ -77,7 +75,7 @@ class LevelInBlocks {
   }
 
   // Tries those blocks again that miss the budget, of the materials that do; keeps what is nearer to it.
-  void escalate(const std::vector<bool>& misses, const BlockEncoding& how) {
+  void escalate(const std::vector<bool>& misses, const BlockTry& how) {
     std::vector<std::size_t> bad;
     for (std::size_t b = 0; b < excess_.size(); ++b)
       if (excess_[b] > 1 && uses_.owner[b] && misses[*uses_.owner[b]]) bad.push_back(b);
@@ -85,16 +83,17 @@ class LevelInBlocks {
     timed([&] {
       constexpr std::size_t chunk = 64;
       parallel_chunks(bad.size(), job_.threads, chunk, [&](std::size_t begin, std::size_t end, unsigned) {
-        std::vector<BlockSource> sources;
+        std::vector<AnyBlock> sources;
         for (std::size_t i = begin; i < end; ++i) sources.push_back(weighted(source(bad[i])));
-        std::vector<std::uint8_t> tried(bc7_bytes * sources.size());
-        encode_blocks(sources, how, tried.data());
+        const std::size_t bytes = codec_.format().block_bytes;
+        std::vector<std::uint8_t> tried(bytes * sources.size());
+        codec_.encode(std::move(sources), how, tried.data());
+        const std::vector<Texel> decoded = codec_.decode(tried.data(), end - begin);
         for (std::size_t i = begin; i < end; ++i) {
-          const std::uint8_t* const its = &tried[bc7_bytes * (i - begin)];
-          const double excess = compare(bad[i], its, nullptr);
+          const double excess = compare(bad[i], &decoded[codec_.texels() * (i - begin)], nullptr);
           if (excess >= excess_[bad[i]]) continue;
           excess_[bad[i]] = excess;
-          std::copy_n(its, bc7_bytes, block(bad[i]));
+          std::copy_n(&tried[bytes * (i - begin)], bytes, block(bad[i]));
         }
       });
     });
@@ -119,7 +118,9 @@ class LevelInBlocks {
  private:
   std::size_t across() const { return static_cast<std::size_t>(uses_.across); }
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a file
-  std::uint8_t* block(std::size_t b) { return reinterpret_cast<std::uint8_t*>(&bytes_[bc7_bytes * b]); }
+  std::uint8_t* block(std::size_t b) {
+    return reinterpret_cast<std::uint8_t*>(&bytes_[codec_.format().block_bytes * b]);
+  }
 
   template <class Work>
   void timed(const Work& work) {
@@ -136,28 +137,28 @@ class LevelInBlocks {
   }
 
   // A block's texels; beyond the edge of the level they repeat it and do not count.
-  BlockSource source(std::size_t b) const {
-    const int left = block_side * static_cast<int>(b % across()),
-              top = block_side * static_cast<int>(b / across());
-    BlockSource out;
-    for (int i = 0; i < block_side * block_side; ++i) {
-      const int x = left + i % block_side, y = top + i / block_side;
+  AnyBlock source(std::size_t b) const {
+    const int side = codec_.format().block_width;
+    const int left = side * static_cast<int>(b % across()), top = side * static_cast<int>(b / across());
+    AnyBlock out;
+    for (int i = 0; i < side * side; ++i) {
+      const int x = left + i % side, y = top + i / side;
       const int inside_x = std::min(x, view_.width - 1), inside_y = std::min(y, view_.height - 1);
       std::copy_n(view_.at(inside_x, inside_y), 4, out.texels[static_cast<std::size_t>(i)].data());
       const bool counts = x == inside_x && y == inside_y &&
                           uses_.used[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
                                      static_cast<std::size_t>(x)] != 0;
-      out.shares[static_cast<std::size_t>(i)] = counts ? 1 : 0;
+      out.counting |= std::uint64_t{counts} << i;
     }
     return out;
   }
 
   // The same with the weights of its channels.
-  BlockSource weighted(BlockSource block) const {
+  AnyBlock weighted(AnyBlock block) const {
     std::array<int, 4> sum{};
     int count = 0;
-    for (std::size_t i = 0; i < block.texels.size(); ++i) {
-      if (block.shares[i] <= 0) continue;
+    for (std::size_t i = 0; i < codec_.texels(); ++i) {
+      if ((block.counting >> i & 1) == 0) continue;
       ++count;
       for (std::size_t c = 0; c < 4; ++c) sum[c] += block.texels[i][c];
     }
@@ -168,18 +169,18 @@ class LevelInBlocks {
   }
 
   // The largest difference of a block that has an owner, in budgets.
-  //   to   gets the differences; null: none
-  double compare(std::size_t b, const std::uint8_t* bytes, Spreads* to) const {
-    const BlockSource from = source(b);
-    const BlockTexels texels = decode_bc7(bytes);
+  //   texels   as the block has them
+  //   to       gets the differences; null: none
+  double compare(std::size_t b, const Texel* texels, Spreads* to) const {
+    const AnyBlock from = source(b);
     const PackInput& material = job_.materials[*uses_.owner[b]];
     const bool diffuse = job_.texture == Texture::diffuse_alpha;
     const bool opaque = diffuse && material.alpha_mode == AlphaMode::opaque;
     const int cutoff =
         is_mask(*uses_.owner[b]) ? static_cast<int>(std::ceil(255 * material.alpha_cutoff)) : -1;
     double out = 0;
-    for (std::size_t i = 0; i < texels.size(); ++i) {
-      if (from.shares[i] <= 0) continue;
+    for (std::size_t i = 0; i < codec_.texels(); ++i) {
+      if ((from.counting >> i & 1) == 0) continue;
       // Nothing shows the colour of a texel that lets all light through.
       const bool unseen = diffuse && !opaque && from.texels[i][3] == 0;
       const double colour = unseen ? 0 : measure_.colour(from.texels[i], texels[i]);
@@ -194,6 +195,7 @@ class LevelInBlocks {
 
   const BlockJob& job_;
   const BlockMeasure& measure_;
+  BlockCodec codec_;
   ConstPixelsView8 view_;
   BlockUses uses_;
   std::string bytes_;
@@ -203,12 +205,11 @@ class LevelInBlocks {
 };
 
 // What blocks are tried with in turn: more effort, then more weight on one side.
-std::vector<BlockEncoding> encodings(const CompressOptions& how) {
-  std::vector<BlockEncoding> out;
-  for (int effort = how.effort; effort <= most_block_effort; ++effort)
-    out.push_back({BlockCode::bc7, {1, 1, 1, 1}, effort});
+std::vector<BlockTry> tries_of(const CompressOptions& how) {
+  std::vector<BlockTry> out;
+  for (int effort = how.effort; effort <= most_block_effort; ++effort) out.push_back({effort});
   for (const float fourth : {4.0f, 16.0f, 0.25f})
-    out.push_back({BlockCode::bc7, {1, 1, 1, fourth}, std::min(most_block_effort, how.effort + 1)});
+    out.push_back({std::min(most_block_effort, how.effort + 1), {1, 1, 1, fourth}});
   return out;
 }
 
@@ -221,7 +222,7 @@ std::vector<bool> missing(const LevelInBlocks& level, const ByMaterial& spreads)
 // Compresses a level and takes its bytes.
 BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int number, std::string& bytes) {
   LevelInBlocks level(job, measure, number);
-  const std::vector<BlockEncoding> tries = encodings(job.how);
+  const std::vector<BlockTry> tries = tries_of(job.how);
   level.encode(tries[0]);
   ByMaterial spreads = level.measure();
   for (std::size_t t = 1; t < tries.size(); ++t) {
@@ -234,7 +235,7 @@ BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int numb
   out.page = job.page;
   out.texture = job.texture;
   out.level = number;
-  out.format = bc7_format().name;
+  out.tried = out.format = job.how.format->name;
   out.bytes = level.bytes().size();
   out.texels = level.texels();
   out.seconds = level.seconds();
@@ -257,11 +258,11 @@ CompressedTexture compress_texture(const BlockJob& job) {
   const BlockMeasure measure(job.texture, job.gloss, job.how.budget);
   CompressedTexture out;
   out.blocks.emplace();
-  out.blocks->format = &bc7_format();
+  out.blocks->format = job.how.format;
   for (int l = 0; l < job.pixels.levels(); ++l) {
     out.report.push_back(compressed(job, measure, l, out.blocks->levels.emplace_back()));
     const bool met = std::ranges::all_of(out.report.back().materials, &BlockMaterial::met);
-    if (met || job.how.how != Compression::automatic) continue;
+    if (met || !job.how.falls_back) continue;
     out.blocks.reset();
     for (BlockLevel& level : out.report) {
       level.format = "RGBA8";

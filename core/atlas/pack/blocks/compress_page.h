@@ -8,6 +8,7 @@
 #include "core/atlas/pack/blocks/compress_options.h"
 #include "core/atlas/pack/decision.h"
 #include "core/atlas/sources/sources.h"
+#include "core/image/blocks/astc_door.h"
 
 namespace etak {
 
@@ -27,7 +28,8 @@ struct BlockJob {
   Texture texture;
   const PagePixels& pixels;
   GlossForm gloss;
-  const CompressOptions& how;
+  const CompressOptions& how;  // with a format
+  const AstcDoor& astc;
   unsigned threads;
 };
 

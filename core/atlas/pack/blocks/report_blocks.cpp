@@ -58,7 +58,7 @@ std::string blocks_text(const std::vector<BlockLevel>& levels) {
                     " misses the budget: " + errors_text(each, m.colour_p99, m.fourth_p99) + "\n";
     }
     out += texture_name(first) + " in " + first.format +
-           (first.fallback ? ", since BC7 would change " : ": ") + worst_text(first) +
+           (first.fallback ? ", since " + first.tried + " would change " : ": ") + worst_text(first) +
            " at most (99 % of a material's texels, level 0)";
     if (!first.fallback)
       out += "; " + std::to_string(of) + (of == 1 ? " level, " : " levels, ") + std::to_string(shared) +
