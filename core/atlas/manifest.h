@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,13 +45,36 @@ struct ConstantSource {
 
 using TextureSource = std::variant<ImageSource, LibrarySource, ConstantSource>;
 
+/// A material of a mask.
+///   code     the grey of its texels, three times, or their ID colour
+///   record   of the library: F0, of a measured surface the diffuse colour too, and where neither gloss nor roughness
+///            is said the record's convention; no material: there is none, and `specular` says F0
+struct MaskPart {
+  std::array<std::uint8_t, 3> code{};
+  LibrarySource record;
+  std::optional<TextureSource> diffuse, specular, gloss, roughness;
+  std::string place;  // for messages
+};
+
+/// Which of two to four materials a texel is of. None is ever mixed of two: see core/atlas/sources/masked.h.
+///   colors           the picture holds ID colours, else greys
+///   specular_gloss   write the material's own textures beside the atlas, and those of metal-rough
+struct MaterialMask {
+  static constexpr std::size_t least_parts = 2, most_parts = 4;
+  ImageSource image;
+  bool colors = false;
+  std::vector<MaskPart> parts;
+  bool specular_gloss = false, metal_rough = false;
+};
+
 /// One material of a manifest. Missing: diffuse is black, alpha 1. Either specular (and diffuse), or
-/// base_color with metallic (glTF's meaning); either gloss or roughness.
+/// base_color with metallic (glTF's meaning); either gloss or roughness. A mask takes the place of all of these.
 struct ManifestMaterial {
   std::string name;
   std::optional<TextureSource> diffuse, specular, gloss, roughness, alpha, base_color, metallic;
   std::optional<GlossForm>
-      gloss_form;      // of its own gloss; none: as the manifest says. Manifests cannot say it
+      gloss_form;  // of its own gloss; none: as the manifest says. Manifests cannot say it
+  std::optional<MaterialMask> mask;
   std::string normal;  // file of a tangent-space normal map; empty: none
   AlphaMode alpha_mode = AlphaMode::blend;
   double alpha_cutoff = 0.5;
@@ -67,6 +92,10 @@ struct AtlasManifest {
 /// Throws Error with the JSON pointer: unknown keys, wrong types, two materials of one name, values outside
 /// of their range.
 AtlasManifest parse_manifest(std::string_view text, const std::string& file);
+
+/// The text of a manifest whose materials all have a mask with numbers and records of the library.
+///   file   path that it is to be saved under: pictures are named from its folder
+std::string format_masks(const AtlasManifest& manifest, const std::string& file);
 
 /// The materials of a folder whose files follow a pattern such as "{name}_{role}.png". Roles: diffuse,
 /// specular, gloss, roughness, alpha, basecolor, metallic, normal. Files that do not match are left alone;

@@ -43,7 +43,7 @@ class ManifestReader {
  private:
   ManifestMaterial material(const JsonNode& node) {
     node.expect_object({"name", "diffuse", "specular", "gloss", "roughness", "alpha", "basecolor", "metallic",
-                        "normal", "alpha_mode", "alpha_cutoff", "width", "height"});
+                        "normal", "alpha_mode", "alpha_cutoff", "width", "height", "mask"});
     ManifestMaterial out;
     out.place = std::string(node.file) + '#' + node.pointer;
     out.name = read_name(node);
@@ -59,11 +59,64 @@ class ManifestReader {
     if (node.has("height")) out.height = node.at("height").integer(1, max_image_side);
     if (node.has("alpha_mode")) out.alpha_mode = read_alpha_mode(node.at("alpha_mode"));
     if (node.has("alpha_cutoff")) out.alpha_cutoff = unit_number(node.at("alpha_cutoff"));
+    if (node.has("mask")) out.mask = read_mask(node.at("mask"));
     check_roles(node, out);
     return out;
   }
 
+  MaterialMask read_mask(const JsonNode& node) const {
+    node.expect_object({"image", "channels", "materials", "write"});
+    MaterialMask out;
+    const JsonNode list = node.at("materials");
+    list.expect_array();
+    if (list.size() < MaterialMask::least_parts || list.size() > MaterialMask::most_parts)
+      list.fail(std::to_string(list.size()) + " materials", "two to four");
+    out.colors = list.at(0).at("at").value.is_string();
+    for (std::size_t i = 0; i < list.size(); ++i) out.parts.push_back(read_part(list.at(i), out.colors));
+    out.image = {path_of(node.at("image")), read_channels(node, out.colors), ""};
+    if (!node.has("write")) return out;
+    for (const std::string& word : node.at("write").texts()) {
+      if (word != "specular_gloss" && word != "metal_rough")
+        node.at("write").fail(in_quotes(word), "specular_gloss or metal_rough");
+      (word == "metal_rough" ? out.metal_rough : out.specular_gloss) = true;
+    }
+    return out;
+  }
+
+  MaskPart read_part(const JsonNode& node, bool colors) const {
+    node.expect_object({"at", "material", "dataset", "outside", "diffuse", "specular", "gloss", "roughness"});
+    MaskPart out;
+    out.place = std::string(node.file) + '#' + node.pointer;
+    const JsonNode at = node.at("at");
+    if (colors) {
+      const Srgb8 code = color_code(at);
+      out.code = {code.r, code.g, code.b};
+    } else {
+      out.code.fill(static_cast<std::uint8_t>(at.integer(0, 255)));
+    }
+    out.record = {node.text_or_empty("material"), node.text_or_empty("dataset"),
+                  node.text_or_empty("outside")};
+    out.diffuse = source(node, {"diffuse", true});
+    out.specular = source(node, {"specular", true});
+    out.gloss = source(node, {"gloss", false});
+    out.roughness = source(node, {"roughness", false});
+    if (out.record.material.empty() == !out.specular)
+      node.fail(out.specular ? "both \"material\" and \"specular\"" : "no \"material\"",
+                out.specular ? "one of the two" : "this key, or \"specular\"");
+    if (out.specular && std::holds_alternative<ImageSource>(*out.specular))
+      node.at("specular")
+          .fail("a picture", "a library material, a number or a colour: one F0 for each material");
+    if (out.gloss && out.roughness) node.fail("both \"gloss\" and \"roughness\"", "one of the two");
+    if (out.specular && !out.gloss && !out.roughness) node.fail("no \"gloss\"", "this key, or \"roughness\"");
+    return out;
+  }
+
   static void check_roles(const JsonNode& node, const ManifestMaterial& m) {
+    if (m.mask) {
+      if (m.diffuse || m.specular || m.gloss || m.roughness || m.base_color || m.metallic)
+        node.fail("a \"mask\" and a colour or gloss beside it", "these in the materials of the mask");
+      return;
+    }
     if (m.base_color || m.metallic) {
       if (m.diffuse || m.specular)
         node.fail("both \"basecolor\" or \"metallic\" and \"diffuse\" or \"specular\"", "one way of the two");
@@ -75,7 +128,15 @@ class ManifestReader {
     if (!m.gloss && !m.roughness) node.fail("no \"gloss\"", "this key, or \"roughness\"");
   }
 
-  std::optional<TextureSource> source(const JsonNode& material, const Role& role) {
+  static Srgb8 color_code(const JsonNode& node) {
+    const std::string text = node.value.is_string() ? node.text() : std::string();
+    if (text.size() != 7 || text[0] != '#' ||
+        text.find_first_not_of("0123456789abcdefABCDEF", 1) != text.npos)
+      node.fail_type("\"#rrggbb\"");
+    return parse_hex(text);
+  }
+
+  std::optional<TextureSource> source(const JsonNode& material, const Role& role) const {
     if (!material.has(role.key)) return std::nullopt;
     const JsonNode node = material.at(role.key);
     if (node.value.is_string()) return source_text(node, role);
@@ -101,14 +162,11 @@ class ManifestReader {
                        node.text_or_empty("space")};
   }
 
-  TextureSource source_text(const JsonNode& node, const Role& role) {
+  TextureSource source_text(const JsonNode& node, const Role& role) const {
     const std::string text = node.text();
     if (text.starts_with('#')) {
       if (!role.color) node.fail_type("a number");
-      const bool digits =
-          text.size() == 7 && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
-      if (!digits) node.fail_type("\"#rrggbb\"");
-      const Srgb8 codes = parse_hex(text);
+      const Srgb8 codes = color_code(node);
       return ConstantSource{srgb_decode(codes), codes};
     }
     if (text.empty()) node.fail_type(source_forms);
@@ -138,7 +196,54 @@ class ManifestReader {
   std::filesystem::path folder_;
 };
 
+Json json_of(const TextureSource& source, bool color) {
+  if (const auto* record = std::get_if<LibrarySource>(&source)) {
+    Json out{{"material", record->material}};
+    if (!record->dataset.empty()) out["dataset"] = record->dataset;
+    if (!record->outside.empty()) out["outside"] = record->outside;
+    return out;
+  }
+  const auto& constant = std::get<ConstantSource>(source);
+  const LinearRgb& c = constant.linear;
+  if (!color) return c.r;
+  return Json::array({c.r, c.g, c.b});
+}
+
 }  // namespace
+
+std::string format_masks(const AtlasManifest& manifest, const std::string& file) {
+  const std::filesystem::path folder = folder_of_document(file);
+  Json materials = Json::array();
+  for (const ManifestMaterial& m : manifest.materials) {
+    const MaterialMask& mask = m.mask.value();
+    Json parts = Json::array();
+    for (const MaskPart& part : mask.parts) {
+      Json row;
+      const auto [r, g, b] = part.code;
+      if (mask.colors)
+        row["at"] = hex({r, g, b});
+      else
+        row["at"] = r;
+      for (const auto& [key, source] : {std::pair{"diffuse", &part.diffuse},
+                                        {"specular", &part.specular},
+                                        {"gloss", &part.gloss},
+                                        {"roughness", &part.roughness}})
+        if (*source) row[key] = json_of(**source, source == &part.diffuse || source == &part.specular);
+      parts.push_back(std::move(row));
+    }
+    Json write = Json::array();
+    if (mask.specular_gloss) write.push_back("specular_gloss");
+    if (mask.metal_rough) write.push_back("metal_rough");
+    Json of_mask{{"image", name_from(folder, mask.image.path)}, {"materials", parts}, {"write", write}};
+    if (!mask.image.channels.empty()) of_mask["channels"] = mask.image.channels;
+    materials.push_back({{"name", m.name}, {"alpha_mode", name(m.alpha_mode)}, {"mask", std::move(of_mask)}});
+  }
+  return Json{{"schema", "etak-atlas-manifest/1"},
+              {"gloss", name(manifest.gloss)},
+              {"materials", std::move(materials)}}
+             .dump(2) +
+         '\n';
+}
 
 AtlasManifest parse_manifest(std::string_view text, const std::string& file) {
   const JsonDocument document = parse_json_strictly(text, file, manifest_depth, "an atlas manifest");

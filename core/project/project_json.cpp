@@ -227,8 +227,7 @@ std::string color_json(const LinearRgb& c) {
 class Writer {
  public:
   explicit Writer(const std::string& file) {
-    std::error_code failure;
-    if (!file.empty()) folder_ = fs::absolute(file, failure).lexically_normal().parent_path();
+    if (!file.empty()) folder_ = folder_of_document(file);
   }
 
   std::string text(const Project& project) const {
@@ -250,16 +249,7 @@ class Writer {
   }
 
  private:
-  std::string path(const std::string& picture) const {
-    std::error_code failure;
-    const fs::path whole = fs::absolute(picture, failure).lexically_normal();
-    if (folder_.empty()) return sys::path_text(whole);
-    // Where the two have no folder in common, "../" would lead to the root, which differs between computers.
-    const bool far = whole.root_path() != folder_.root_path() || folder_.relative_path().empty() ||
-                     *whole.relative_path().begin() != *folder_.relative_path().begin();
-    const fs::path near = far ? fs::path() : whole.lexically_relative(folder_);
-    return near.empty() ? sys::path_text(whole) : near.generic_string();
-  }
+  std::string path(const std::string& picture) const { return name_from(folder_, picture); }
 
   std::string view(const ProjectView& view) const {
     LightSetup lights = view.lights;

@@ -178,6 +178,9 @@ with tempfile.TemporaryDirectory() as folder:
             {"name": "red", "diffuse": [0.5, 0.1, 0.1], "specular": 0.04, "gloss": 0.5}]}, file)
     with open(manifest, encoding="utf-8") as file:
         check(schema("atlas-manifest"), json.load(file), "atlas manifest")
+    for masked in ("tests/cli/pack_mask/manifest.json", "tests/fuzz/corpus/manifest/mask.json"):
+        with open(os.path.join(source, masked), encoding="utf-8") as file:
+            check(schema("atlas-manifest"), json.load(file), masked)
     project_file = os.path.join(folder, "project.json")
     with open(project_file, "w", encoding="utf-8") as file:
         json.dump(project, file)

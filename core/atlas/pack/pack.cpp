@@ -73,6 +73,13 @@ std::vector<std::string> complete(const PackOptions& options, const PackSource& 
   AtlasLayout& layout = result.layout;
   if (source.scene)
     layout.other_files = write_scene(folder, layout, *source.scene, made.scene, made.scene_pictures);
+  for (const PackInput& material : source.materials())
+    for (const auto& [name, bytes] : mask_files(material)) {
+      if (std::ranges::find(layout.other_files, name) != layout.other_files.end())
+        throw Error::at(name, "two materials would write it", "names that differ in letters and digits");
+      folder.write(name, bytes);
+      layout.other_files.push_back(name);
+    }
   std::set<std::string> files(layout.other_files.begin(), layout.other_files.end());
   for (const AtlasPage& page : layout.pages)
     for (const auto& names : page.files) files.insert(names.begin(), names.end());

@@ -11,7 +11,9 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/color/gloss.h"
+#include "core/color/luminance.h"
 #include "core/color/srgb.h"
+#include "core/material/appearance.h"
 #include "core/material/f0.h"
 #include "core/material/find.h"
 
@@ -22,6 +24,8 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
+// What no dielectric without a colour of its own reflects (Hoffman's zone begins here).
+constexpr double least_metal_f0 = 0.2;
 // What the materials of a manifest are read with, and the remarks on what had to be changed.
 struct Resolving {
   const AtlasManifest& manifest;
@@ -138,19 +142,25 @@ void tell_outside(const RolePlace& at, const std::string& what, const LinearRgb&
     }
 }
 
-// The colour of a material of the library, as a plane of one value.
-PlaneSource library_color(const RolePlace& at, const LibrarySource& source, const Resolving& r) {
+PlaneSource plane_of(const Srgb8& codes, const LinearRgb& linear) {
+  PlaneSource out;
+  out.constant = {codes.r, codes.g, codes.b};
+  out.exact = {linear.r, linear.g, linear.b};
+  return out;
+}
+
+// A record of the library and its colour.
+struct FoundColor {
+  FoundDataset found;
+  F0Result result;
+};
+
+FoundColor found_color(const RolePlace& at, const LibrarySource& source, const Resolving& r) {
   const std::string place = at.pointer();
   NameWords words;
   words.place = place;
   words.instead = "a file name with its ending";
-  const FoundDataset found = find_dataset(r.library, source.material, source.dataset, words);
-  const Material& material = found.material;
-  const Dataset& dataset = found.chosen();
-  const bool diffuse = at.role == "diffuse";
-  if (diffuse && !std::holds_alternative<Reflectance>(dataset.optics))
-    throw Error::at(place, material.id + " has n and k, which say nothing of a diffuse colour",
-                    "a material with measured reflectance");
+  FoundColor out{find_dataset(r.library, source.material, source.dataset, words), {}};
   F0Options options;
   const std::string outside_place = place + "/outside";
   words.place = outside_place;
@@ -161,16 +171,27 @@ PlaneSource library_color(const RolePlace& at, const LibrarySource& source, cons
     if (!method) throw Error::at(place, printable(source.method), "a method of integration");
     options.method = *method;
   }
-  const F0Result result = F0Solver(std::move(options)).solve(dataset.optics, dataset.flags);
-  if (result.refused()) throw Error::at(place, material.id + ": " + result.refusal);
+  const Dataset& dataset = out.found.chosen();
+  out.result = F0Solver(std::move(options)).solve(dataset.optics, dataset.flags);
+  if (out.result.refused()) throw Error::at(place, out.found.material.id + ": " + out.result.refusal);
+  return out;
+}
+
+// The colour of a material of the library, as a plane of one value.
+PlaneSource library_color(const RolePlace& at, const LibrarySource& source, const Resolving& r) {
+  const FoundColor of = found_color(at, source, r);
+  const Material& material = of.found.material;
+  const Dataset& dataset = of.found.chosen();
+  const bool diffuse = at.role == "diffuse";
+  if (diffuse && !std::holds_alternative<Reflectance>(dataset.optics))
+    throw Error::at(at.pointer(), material.id + " has n and k, which say nothing of a diffuse colour",
+                    "a material with measured reflectance");
   if (diffuse && optical_kind(material.material_class) == "surface")
     r.remarks.push_back(at.material.name + ": diffuse is the total reflectance of " + material.id +
                         ", which holds what its surface reflects: specular comes on top of it");
-  const LinearRgb& linear = result.srgb_linear;
+  const LinearRgb& linear = of.result.srgb_linear;
   tell_outside(at, material.id, linear, r);
-  PlaneSource out;
-  out.constant = {result.srgb8.r, result.srgb8.g, result.srgb8.b};
-  out.exact = {linear.r, linear.g, linear.b};
+  PlaneSource out = plane_of(of.result.srgb8, linear);
   if (const auto* stack = std::get_if<Stack>(&dataset.optics)) out.layers = stack->text;
   return out;
 }
@@ -178,9 +199,7 @@ PlaneSource library_color(const RolePlace& at, const LibrarySource& source, cons
 PlaneSource color_plane(const RolePlace& at, const TextureSource& source, const Resolving& r) {
   PlaneSource out;
   if (const auto* constant = std::get_if<ConstantSource>(&source)) {
-    const Srgb8 codes = constant->codes ? *constant->codes : srgb_u8(constant->linear);
-    out.constant = {codes.r, codes.g, codes.b};
-    out.exact = {constant->linear.r, constant->linear.g, constant->linear.b};
+    out = plane_of(constant->codes ? *constant->codes : srgb_u8(constant->linear), constant->linear);
     out.layers = constant->layers;
     tell_outside(at, at.role, constant->linear, r);
     return out;
@@ -200,10 +219,9 @@ PlaneSource color_plane(const RolePlace& at, const TextureSource& source, const 
 }
 
 // The size that all pictures share.
-void set_size(const ManifestMaterial& m, const std::optional<PlaneSource>& metal, const PictureDoor& door,
+void set_size(const ManifestMaterial& m, std::vector<const PlaneSource*> planes, const PictureDoor& door,
               PackInput& in) {
-  std::vector<const PlaneSource*> planes{&in.color[0], &in.grey[0], &in.color[1], &in.grey[1]};
-  if (metal) planes.push_back(&*metal);
+  for (std::size_t t = 0; t < 2; ++t) planes.insert(planes.end(), {&in.color[t], &in.grey[t]});
   std::string first;
   for (const PlaneSource* plane : planes) {
     if (!plane->is_image()) continue;
@@ -288,6 +306,75 @@ void set_facts(PackInput& in) {
   }
 }
 
+// A material of a mask: what its record says, and what the manifest says instead.
+MaskedPart masked_part(const ManifestMaterial& m, const MaskPart& part, const Resolving& r) {
+  ManifestMaterial of;
+  of.name = m.name;
+  of.place = part.place;
+  of.gloss = part.gloss;
+  of.roughness = part.roughness;
+  MaskedPart out;
+  out.code = part.code;
+  if (part.specular) out.specular = color_plane({of, "specular"}, *part.specular, r);
+  if (!part.record.material.empty()) {
+    const RolePlace at{of, "material"};
+    const FoundColor found = found_color(at, part.record, r);
+    const Material& record = found.found.material;
+    LinearRgb f0 = found.result.srgb_linear;
+    if (!gives_f0(record.material_class)) {
+      const TotalReflectance divided_total = divided(f0);
+      out.diffuse = plane_of(srgb_u8(divided_total.diffuse), divided_total.diffuse);
+      f0 = divided_total.f0;
+    }
+    tell_outside(at, record.id, f0, r);
+    out.specular = plane_of(srgb_u8(f0), f0);
+    if (!part.gloss && !part.roughness) {
+      const double standard = default_gloss(record, false).gloss.roughness();
+      of.roughness = ConstantSource{{standard, standard, standard}, {}};
+    }
+  }
+  if (part.diffuse) out.diffuse = color_plane({of, "diffuse"}, *part.diffuse, r);
+  out.gloss = gloss_plane(of, r);
+  const auto [red, green, blue] = out.specular.exact;
+  const bool black = !out.diffuse.is_image() && out.diffuse.constant == std::array<std::uint8_t, 3>{};
+  out.metal = black && luminance_of(red, green, blue) > least_metal_f0;
+  return out;
+}
+
+// Both textures by a mask.
+void set_mask(const ManifestMaterial& m, const Resolving& r, PackInput& in) {
+  const MaterialMask& from = *m.mask;
+  auto masked = std::make_shared<MaskedSource>();
+  masked->mask.path = from.image.path;
+  masked->mask.door = &r.reading.door;
+  masked->mask.color = from.colors;
+  const std::string& letters = from.image.channels;
+  masked->mask.picked = !letters.empty();
+  for (std::size_t i = 0; i < letters.size(); ++i) masked->mask.pick[i] = channel_at(letters[i]);
+  masked->colors = from.colors;
+  masked->alpha = in.grey[0];
+  masked->gloss = r.gloss;
+  masked->specular_gloss = from.specular_gloss;
+  masked->metal_rough = from.metal_rough;
+  for (const MaskPart& part : from.parts) {
+    masked->parts.push_back(masked_part(m, part, r));
+    for (const MaskPart& other : from.parts)
+      if (&other < &part && codes_apart(other.code, part.code) < least_codes_apart)
+        throw Error::at(part.place + "/at", "too near to another material's",
+                        std::to_string(least_codes_apart) + " codes from every other");
+    const MaskedPart& made = masked->parts.back();
+    if (from.metal_rough && !made.metal && std::abs(made.specular.exact[1] - assumed_f0) > 0.005)
+      r.remarks.push_back(m.name + ": F0 " + number(made.specular.exact[1], 3) +
+                          " of a material that is no metal; metal-rough means " + number(assumed_f0, 3));
+  }
+  set_size(m, masked->pictures(), r.reading.door, in);
+  in.streamed = false;
+  const int width = in.width, height = in.height;
+  in.convert = [masked, width, height](std::vector<std::string>&) { return masked->pair(width, height); };
+  in.convert_floats = [masked, width, height] { return masked->floats(width, height); };
+  in.masked = std::move(masked);
+}
+
 PackInput input_of(const ManifestMaterial& m, const Resolving& r) {
   constexpr auto a = static_cast<std::size_t>(Texture::diffuse_alpha);
   constexpr auto b = static_cast<std::size_t>(Texture::specular_gloss);
@@ -297,6 +384,13 @@ PackInput input_of(const ManifestMaterial& m, const Resolving& r) {
   in.alpha_cutoff = m.alpha_cutoff;
   in.normal.path = m.normal;
   in.normal.door = &r.reading.door;
+  in.grey[a] = m.alpha && m.alpha_mode != AlphaMode::opaque ? grey_plane({m, "alpha"}, *m.alpha, nullptr, r)
+                                                            : fixed_grey(1);
+  if (m.mask) {
+    set_mask(m, r, in);
+    set_facts(in);
+    return in;
+  }
   std::optional<PlaneSource> metal;
   if (m.base_color) {
     in.color[a] = color_plane({m, "basecolor"}, *m.base_color, r);
@@ -306,10 +400,9 @@ PackInput input_of(const ManifestMaterial& m, const Resolving& r) {
     if (m.diffuse) in.color[a] = color_plane({m, "diffuse"}, *m.diffuse, r);
     in.color[b] = color_plane({m, "specular"}, *m.specular, r);
   }
-  in.grey[a] = m.alpha && m.alpha_mode != AlphaMode::opaque ? grey_plane({m, "alpha"}, *m.alpha, nullptr, r)
-                                                            : fixed_grey(1);
   in.grey[b] = gloss_plane(m, r);
-  set_size(m, metal, r.reading.door, in);
+  set_size(m, metal ? std::vector<const PlaneSource*>{&*metal} : std::vector<const PlaneSource*>{},
+           r.reading.door, in);
   if (metal) set_metallic(*metal, in);
   set_facts(in);
   if (in.grey[b].curve) in.facts.source += name(gloss_form(m, r));

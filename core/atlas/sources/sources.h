@@ -10,6 +10,7 @@
 
 #include "core/atlas/leave_out.h"
 #include "core/atlas/manifest.h"
+#include "core/atlas/sources/masked.h"
 #include "core/atlas/sources/plane.h"
 #include "core/image/channels.h"
 #include "core/image/material_pair.h"
@@ -32,6 +33,7 @@ struct PackInput {
   std::array<PlaneSource, 2> color, grey;  // by Texture
   std::function<MaterialPair(std::vector<std::string>& remarks)> convert;  // set: in place of the planes
   std::function<FloatPair()> convert_floats;                               // the same for floats.h
+  std::shared_ptr<const MaskedSource> masked;                              // null: no mask
   MaterialFacts facts;
   bool streamed = true;                     // every picture can be read in strips
   WrapBoth wrap{Wrap::clamp, Wrap::clamp};  // what lies beyond the picture's edges

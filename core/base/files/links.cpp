@@ -57,4 +57,21 @@ std::string path_beside(const std::string& folder, const std::string& name) {
   return sys::path_text(whole);
 }
 
+std::string name_from(const std::filesystem::path& folder, const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  const fs::path whole = fs::absolute(file, failure).lexically_normal();
+  if (folder.empty()) return sys::path_text(whole);
+  // Where the two have no folder in common, "../" would lead to the root, which differs between computers.
+  const bool far = whole.root_path() != folder.root_path() || folder.relative_path().empty() ||
+                   *whole.relative_path().begin() != *folder.relative_path().begin();
+  const fs::path near = far ? fs::path() : whole.lexically_relative(folder);
+  return near.empty() ? sys::path_text(whole) : near.generic_string();
+}
+
+std::filesystem::path folder_of_document(const std::string& file) {
+  std::error_code failure;
+  return std::filesystem::absolute(file, failure).lexically_normal().parent_path();
+}
+
 }  // namespace etak

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace etak {
@@ -21,5 +22,12 @@ bool follows_links();
 /// Throws Error that names link and target where a part of `name` is a link that leads out of `folder`, and
 /// out of the folder in which the link lies (for names with ".."), unless follows_links().
 std::string path_beside(const std::string& folder, const std::string& name);
+
+/// The name of a file in a document that lies in `folder`, so that both can be moved together: relative, with "../" where
+/// the file lies beside; absolute where the two have no folder in common.
+///   folder   absolute; empty: the name is absolute
+std::string name_from(const std::filesystem::path& folder, const std::string& file);
+/// The folder of a document, as name_from() takes it.
+std::filesystem::path folder_of_document(const std::string& file);
 
 }  // namespace etak
