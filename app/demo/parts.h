@@ -15,7 +15,7 @@ void add_spheres(const MaterialLibrary& library, unsigned threads, StartPageData
 /// of the demo, which holds scene/manifest.json, atlas/layout.json and mistakes/.
 void add_scene(unsigned threads, StartPageData& data);
 
-/// The other pages of the demo that are there.
+/// Adds a card for each of the demo's other pages that is there.
 void add_cards(StartPageData& data);
 
 }  // namespace etak::demo

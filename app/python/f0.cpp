@@ -110,7 +110,7 @@ std::shared_ptr<const F0Solver> solver_of(const F0Settings& settings, const Libr
   return {both, &both->second};
 }
 
-// What is asked of each material.
+// The settings of a call of F0, which hold for each material.
 struct F0Call {
   std::shared_ptr<const F0Solver> solver;
   TableSettings tables;

@@ -26,8 +26,7 @@ struct AtlasMaterialRow {
   AlphaMode alpha_mode = AlphaMode::blend;
   double alpha_cutoff = 0.5;
   std::array<std::optional<std::uint8_t>, channel_count> constant;
-  // Of the same channels where the atlas was packed from floats: what `constant` is the code of, colours in
-  // linear light.
+  // The value whose code `constant` is, where the atlas was packed from floats; colours in linear light.
   std::array<std::optional<double>, channel_count> value;
   std::vector<std::string> defines;  // for a shader
   std::string layers = {};           // of an F0 that layers on a base make: their text; empty: a bare surface
@@ -52,8 +51,8 @@ struct AtlasLayout {
   std::vector<AtlasMaterialRow> materials;  // by name
   std::string settings_hash, content_hash;
   std::vector<std::string> other_files;  // "scene.gltf", ...
-  // Of every file but the layout itself as it was written: 32 hexadecimal digits of XXH3 by name. Layouts of earlier versions
-  // have none.
+  // 32 hexadecimal digits of XXH3, by the name of the file, of every file but the layout itself as it was written. Layouts of
+  // earlier versions have none.
   std::map<std::string, std::string> xxh128;
   friend bool operator==(const AtlasLayout&, const AtlasLayout&) = default;
 };

@@ -13,7 +13,7 @@ namespace etak {
 namespace {
 
 constexpr const char* layout_schema = "etak-atlas-layout/1";
-// Of layouts in which a material's parts lie apart: a reader of version 1 would take the first region for all.
+// The schema of layouts in which a material's parts lie apart: a reader of version 1 would take the first region for all.
 constexpr const char* parts_schema = "etak-atlas-layout/2";
 constexpr int layout_depth = 8;
 constexpr const char *reduced = "reduced_when_shading", *as_it_is = "as_it_is";

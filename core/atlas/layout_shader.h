@@ -20,7 +20,7 @@ struct LayoutShader {
   std::optional<double> gloss, opacity;
 };
 
-/// Of `row`, a material of `layout`. Throws Error for defines that are not known.
+/// The shader of `row`, a material of `layout`. Throws Error for defines that are not known.
 LayoutShader layout_shader(const AtlasLayout& layout, const AtlasMaterialRow& row);
 
 }  // namespace etak

@@ -91,7 +91,7 @@ bool unreached(Remaining& left, std::size_t i) {
   return true;
 }
 
-// What of a material's texels matters: colour, alpha, and F0 with gloss.
+// The parts of a material's texels that matter: colour, alpha, and F0 with gloss.
 enum Part { color_part, alpha_part, specular_part, part_count };
 using Parts = std::array<bool, part_count>;
 

@@ -17,7 +17,7 @@
 
 namespace etak {
 
-// What an atlas need not hold: decided here from facts about the materials, without touching a picture.
+// The parts that an atlas need not hold are found here, from facts about the materials, without touching a picture.
 
 /// The kinds of things that are left out, in the order in which they are looked for; words of the
 /// setting "keep".

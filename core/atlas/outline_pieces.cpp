@@ -32,7 +32,7 @@ Blocks blocks_of(const Region& region, int clean_levels) {
   return out;
 }
 
-// Whose the units of a page are.
+// The region that each unit of a page belongs to.
 class Owners {
  public:
   Owners(const PlannedPage& page, int unit)

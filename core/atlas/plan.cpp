@@ -88,7 +88,7 @@ RectLayout packed(const Planning& in, const Cells& cells, const std::vector<std:
   }
 }
 
-// The same of cells that are no rectangles: one page of any sides.
+// Packs cells that are no rectangles: one page of any sides.
 RectLayout packed_outlines(const Cells& cells, const std::vector<std::size_t>& which,
                            const RectOptions& options, const std::vector<MaskShape>& all,
                            std::optional<PreviousRects> previous) {
@@ -202,7 +202,7 @@ PackingPlan least_plan(const Planning& in) {
   return out;
 }
 
-// Of the plans that take little more than `fresh` the one that moves the fewest regions.
+// The plan that moves the fewest regions, among those that take little more than `fresh`.
 PackingPlan steadiest_plan(const Planning& in, PackingPlan fresh) {
   const double allowed = static_cast<double>(fresh.page_texels()) * (1 + in.options.most_extra_area);
   PackingPlan best = std::move(fresh);

@@ -25,7 +25,7 @@ struct Region {
   bool own_page = false;               // a page of just its size, whose edges wrap
   int levels = 0;                      // mips that its samplers read, level 0 among them; 0: all
   int shrink = 0;                      // stored as the mip of this level: sides halved so many times
-  // Of the level that is stored: those of the box that are kept; empty: all. They are packed as they lie.
+  // Which texels of the box are kept, at the level that is stored; empty: all. They are packed as they lie.
   RowRuns texels = {};
   int outline = 0;  // of pieces of one outline (outline_pieces.h) its number, from 1 on
 
@@ -95,7 +95,7 @@ struct PackingPlan {
   std::size_t moved = 0;  // regions of the earlier layout that lie elsewhere now
   // Above 0: new regions have no more clean mips than this, so that the others could stay on their grid.
   int clean_limit = 0;
-  // Of plans with outlines: the cells by region, in units of so many texels a side.
+  // The cells of the regions in plans with outlines, in units of so many texels a side.
   std::vector<MaskShape> shapes = {};
   int unit = 1;
 

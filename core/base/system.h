@@ -36,7 +36,7 @@ struct FileInfo {
   unsigned owner = 0, group = 0;
 };
 
-/// Of what is behind a path (behind links, too), of what is open, and of a name in an open folder, where a link
+/// The facts of what is behind a path (behind links, too), of what is open, and of a name in an open folder, where a link
 /// is only followed on demand. The last two may be called from a handler of signals.
 bool file_info(const std::string& path, FileInfo& out);
 bool file_info(int open, FileInfo& out);

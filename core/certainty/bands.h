@@ -31,7 +31,7 @@ Offsets offsets(const LinearRgb& a, const LinearRgb& b);
 
 /// The quantiles of the rule, which `fit_bands` makes from publications.
 struct BandTable {
-  /// Of one class.
+  /// The statistics of one class.
   ///   mean           of its residuals
   ///   half_one       median of its scaled residuals of materials with one other publication
   ///   half_several   with more than one
@@ -87,7 +87,7 @@ bool lies_inside(const Band& band, const LinearRgb& stated, const LinearRgb& col
 /// changed by one factor, or all channels, until the colour lies de50 from the stated one.
 std::array<LinearRgb, 5> half_band_colors(const Band& band, const LinearRgb& stated);
 
-/// Of an F0 that is computed from theory.
+/// The band of an F0 that is computed from theory.
 Band computed_band(BandClass kind, const LinearRgb& stated, const BandTable& table = shipped_bands());
 
 /// "11 publications; half of new ones would lie within dE 0.8, nine of ten within 4.0".

@@ -82,7 +82,7 @@ std::optional<Material> without_publication(Material material, const Dataset& da
       material.preferred = i;
       return material;
     }
-  // The others are compared as witnesses of each other.
+  // The other publications are compared as witnesses of each other.
   const F0Solver solver{F0Options{}};
   std::vector<std::size_t> index;
   std::vector<LinearRgb> colors;

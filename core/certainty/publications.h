@@ -39,12 +39,12 @@ struct MaterialBand {
 /// Why F0 of a dataset of the material has no band, whatever it is; empty: it has one.
 std::string why_no_band(const Material& material, const Dataset& dataset);
 
-/// Of a dataset of the material. Surfaces, stacks, gases, doubtful and refused datasets have no band.
+/// The band of a dataset of the material. Surfaces, stacks, gases, doubtful and refused datasets have none.
 ///   solver   computes the other publications, as `stated` was
 ///   stated   F0 of `dataset` by `solver`
 MaterialBand material_band(const F0Solver& solver, const Material& material, const Dataset& dataset,
                            const F0Result& stated);
-/// The same where F0 of the other datasets is known.
+/// The band of a dataset where F0 of the other datasets is known.
 MaterialBand material_band(const std::function<F0Result(const Dataset&)>& f0_of, const Material& material,
                            const Dataset& dataset, const F0Result& stated);
 
@@ -58,8 +58,8 @@ std::optional<Material> without_publication(Material material, const Dataset& da
 
 /// What is left of materials without publications, by id; none where no dataset is left.
 using MaterialsWithout = std::map<std::string, std::optional<Material>>;
-/// Of the datasets named, "gold/mcpeak-2015". Throws Error (naming the setting "without") for a name that is no dataset of the
-/// library.
+/// The materials without the datasets named, such as "gold/mcpeak-2015". Throws Error (naming the setting "without") for a
+/// name that is no dataset of the library.
 MaterialsWithout materials_without(const MaterialLibrary& library, const std::vector<std::string>& names);
 /// Puts what is left of a material in its place. Throws Error where nothing is.
 void leave_out(const MaterialsWithout& without, std::shared_ptr<const Material>& material);

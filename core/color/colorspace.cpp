@@ -38,7 +38,7 @@ constexpr std::array common_names{
     CommonName{"ciexyz", RgbSpace::xyz},
 };
 
-// Of ACEScg, the one space here whose white is not D65.
+// The white of ACEScg, the one space here whose white is not D65.
 constexpr Xyz aces_white{aces_white_x / aces_white_y, 1, (1 - aces_white_x - aces_white_y) / aces_white_y};
 
 }  // namespace

@@ -107,7 +107,7 @@ class OcioConfig {
 
   const std::string& name() const;  // path, or builtin_ocio_config
 
-  /// Both throw Error that names the space when there is no such space (the nearest names are told), the space holds
+  /// Opens a space. Both functions throw Error that names the space when there is no such space (the nearest names are told), the space holds
   /// data and no colour, or the interchange roles are missing.
   ///   name   name, alias or role in the config
   OcioSpace space(const std::string& name) const;

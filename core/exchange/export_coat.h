@@ -24,7 +24,7 @@ struct TargetCoat {
 
   double reflects(double cosine) const;
   Vec3 lets_pass(double cosine) const;
-  /// What is seen of a base of that reflectance at that cosine.
+  /// The light that is seen of a base of that reflectance through the coat, at that cosine.
   Vec3 over(const Vec3& base, double cosine) const;
 };
 

@@ -52,7 +52,7 @@ bool is_prose_file(std::string_view path, std::string_view head);
 Material material_of_text(std::string_view text, const std::string& path, MaterialFileKind kind,
                           const TableOptions& options = {}, std::string_view id = {});
 
-/// The same of a file, with an Error where memory does not suffice for it.
+/// The material of a file, with an Error where memory does not suffice for it.
 Material read_material_file(const std::string& path, MaterialFileKind kind, const TableOptions& options = {},
                             std::string_view id = {});
 

@@ -32,7 +32,7 @@ struct TableOptions {
   bool states() const { return !material_class.empty() || origin; }
 };
 
-/// The same as a person writes it: options of a command line, keywords of a call. `columns` has ',' between;
+/// The options of a table as a person writes them: on a command line, as keywords of a call. `columns` has ',' between;
 /// empty texts stand for the default.
 struct TableSettings {
   std::string unit, columns, duplicates = "refuse", material_class, origin;

@@ -73,8 +73,8 @@ Intensity over_thick(const Complex& r, const Complex& t, const Complex& r_up, co
                      const Intensity& below, double keeps) {
   const double back = below.reflected * keeps * keeps;
   const double through = complex_square(t), both_ways = through * complex_square(t_up);
-  // What the layers do not send down again is at least what they let pass. Where that is nearly nothing the
-  // difference has lost it.
+  // The share that the layers do not send down again is at least the one that they let pass. Where nearly nothing passes,
+  // the difference from 1 has lost it by rounding.
   const double leaves = std::max({1 - complex_square(r_up) * back, std::sqrt(both_ways), 1e-300});
   return {complex_square(r) + both_ways * back / leaves, through * keeps * below.through / leaves};
 }

@@ -36,7 +36,7 @@ struct Numbers {
   }
 };
 
-// Of both polarisations; at normal incidence s is both.
+// Amplitudes of both polarisations; at normal incidence s is both.
 struct Amplitudes {
   Numbers s, p;
 };
@@ -76,7 +76,7 @@ ETAK_LANES void layer_at(double c, const Row& outside, const Numbers& a, const N
   }
 }
 
-// Of coherent layers; the cosine is above 0.
+// The reflectance of coherent layers at a cosine above 0.
 void film_lanes(const FilmSpectra& film, double cosine, std::span<double> out) {
   Numbers above{}, below{};
   Amplitudes r{};

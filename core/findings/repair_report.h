@@ -36,7 +36,7 @@ struct LeftFinding {
   friend bool operator==(const LeftFinding&, const LeftFinding&) = default;
 };
 
-/// What was repaired and what was not.
+/// The repairs that were made, and the findings that were left.
 struct RepairReport {
   std::string folder;               // of the copies, as the user named it
   std::vector<RepairedFile> files;  // in the order of the report, set by set

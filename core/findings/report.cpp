@@ -29,7 +29,7 @@ void judge_allowances(ValidationReport& report, const Settings& settings, const 
   std::vector<AllowanceUse> uses =
       mark_allowed(report, settings.allow,
                    {today, label, severity_of(*find_rule("ETK903"), settings), run.whole_tree, is_active});
-  // What one shard does not use another may.
+  // An allowance that one shard does not use may be used by another.
   if (run.shard != nullptr)
     run.shard->allowances = std::move(uses);
   else

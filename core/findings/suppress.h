@@ -63,7 +63,7 @@ std::vector<AllowanceUse> mark_allowed(ValidationReport& report, std::span<const
 /// configuration, with the role "config". The report's files are in path order.
 void add_unused_allowances(ValidationReport& report, std::span<const AllowanceUse> uses);
 
-/// Both of these.
+/// Marks what the entries allow, and adds the findings about entries that allowed nothing.
 void apply_allowances(ValidationReport& report, std::span<const AllowEntry> entries, const AllowanceRun& run);
 
 }  // namespace etak

@@ -35,7 +35,7 @@ struct AtlasRect {
   double inset = 0;      // where there is no gutter: level-0 texels that UVs must stay inside the region
   bool repeats = false;  // the page holds this region alone, and its sampler wraps
   bool source_gutter = false;  // the gutter holds what the picture has there, not the region's edge again
-  // By ChannelPart: what the material reads here. The other parts lie in other regions of it.
+  // Whether the material reads each ChannelPart here. The other parts lie in other regions of it.
   std::array<bool, channel_parts.size()> holds{true, true, true, true};
 
   bool holds_channel(std::size_t channel) const {

@@ -28,7 +28,7 @@ struct FlipView {
 ///   picture   the first three channels are read, as linear light with sRGB's primaries, and clamped to
 ///             [0, 1] as a display clamps them; NaN counts as 0
 FlipView flip_view(const Image& picture, double pixels_per_degree = flip_pixels_per_degree);
-/// The same for a picture of sRGB codes.
+/// A view of a picture of sRGB codes.
 FlipView flip_view(const Image8& codes, double pixels_per_degree = flip_pixels_per_degree);
 
 /// The difference that a person sees when two pictures alternate in one place.

@@ -35,7 +35,7 @@ Image read_image(const std::string& path);
 /// Reads a picture in the kind of values that its file has: 8-bit codes, 16-bit codes or floats.
 Picture read_picture(const std::string& path);
 
-/// The same for a file that is in memory. The format is told by the first bytes, or else by the ending of
+/// Reads a file that is in memory. The format is told by the first bytes, or else by the ending of
 /// `label`.
 ///   label   for messages: the path, or the name of the thing that contains the bytes
 Picture read_picture(std::string_view bytes, const std::string& label);

@@ -187,7 +187,7 @@ std::unique_ptr<RowSource> open_picture(std::string_view bytes, const std::strin
 
 namespace {
 
-// Which rules the 16-bit values so far follow.
+// The rules that all 16-bit values so far follow.
 struct Multiples {
   bool of_257 = true, of_256 = true, vary = false;
   std::optional<std::uint16_t> first = {};

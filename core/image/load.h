@@ -26,7 +26,7 @@ inline bool is_gpu_texture(std::string_view format) {
 /// and, for PNG, PngReader of png.h.
 Picture load_picture(const std::string& path, const PictureDoor& door);
 
-/// The same for a file that is in memory, such as an image in a glTF buffer.
+/// Loads a file that is in memory, such as an image in a glTF buffer.
 ///   label   names the picture in messages
 Picture load_picture(std::string_view bytes, const std::string& label, const PictureDoor& door);
 Picture load_picture(const PictureFile& file, const PictureDoor& door);
@@ -51,7 +51,7 @@ class ValueRows {
 std::unique_ptr<RowSource> open_picture(const std::string& path, const PictureDoor& door);
 std::unique_ptr<RowSource> open_picture(const PictureFile& file, const PictureDoor& door);
 
-/// The same for a file in memory, which must outlive the source.
+/// Opens a file in memory, which must outlive the source.
 ///   label   names the picture in messages
 std::unique_ptr<RowSource> open_picture(std::string_view bytes, const std::string& label,
                                         const PictureDoor& door);

@@ -18,7 +18,7 @@ struct PairOf {
   }
 };
 using MaterialPair = PairOf<std::uint8_t>;
-/// The same as floats: colours in linear light, alpha and gloss as they are; nothing is clamped.
+/// Both textures of a material as floats: colours in linear light, alpha and gloss as they are; nothing is clamped.
 using FloatPair = PairOf<float>;
 
 }  // namespace etak

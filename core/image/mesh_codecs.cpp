@@ -21,7 +21,7 @@ namespace {
 
 // Every block of 16 bytes takes two bits of its head at least, and every triangle a byte.
 constexpr std::size_t most_growth = 64;
-// Of triangles, the greatest number for each byte of a stream. Draco itself spends a bit on most of them.
+// The greatest number of triangles for each byte of a stream. Draco itself spends a bit on most of them.
 constexpr std::size_t most_faces_of_byte = 1024;
 
 // Throws Error for what the decoders take for granted.

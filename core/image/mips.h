@@ -80,7 +80,7 @@ template <class Value>
 MipPairOf<Value> mip_pair(const Pixels<Value>& a, const Pixels<Value>& b, const MipOptions& options,
                           unsigned threads = 1);
 
-/// The same, written into pictures of the caller: level l goes to to_a[l] and to_b[l], which must have the
+/// Makes the levels in pictures of the caller: level l goes to to_a[l] and to_b[l], which must have the
 /// size of that level. to_a[0] and to_b[0] are not written and may be the input.
 ///   options   options.levels is at most to_a.size()
 ///   returns   MipPair::gloss_clamped

@@ -102,7 +102,7 @@ std::vector<int> first_of_same_pictures(std::span<const PictureFile> pictures,
   std::map<std::string, std::vector<int>> alike;  // by the first look
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (!used[i] || out[i] != static_cast<int>(i)) continue;
-    // What is wrong with a broken file is told where it is needed.
+    // A broken file is told where its texels are needed.
     std::string look;
     try {
       look = first_look(pictures[i]);

@@ -15,8 +15,7 @@
 namespace etak {
 namespace {
 
-// What honest and fitted numbers may differ by, in dE2000 on the mean, for the honest ones to be preferred: nobody sees
-// it, and numbers that mean something can be changed by hand.
+// The mean difference in dE2000 up to which honest numbers are preferred to fitted ones: nobody sees it, and numbers that mean something can be changed by hand.
 constexpr double as_good = 0.5;
 // The mean dE2000 up to which a form is said to show the stack.
 constexpr double close_enough = 3;

@@ -112,7 +112,7 @@ Needs needs_of(const CheckTarget& target, const Settings& settings) {
   for (const Rule* rule : rules()) {
     if (severity_of(*rule, settings) == Severity::off) continue;
     if (rule->needs.has(Need::metal_rough) && !metal_rough) continue;
-    // What a rule on headers says of maps besides is no reason to leave the headers out.
+    // A rule on headers that also judges maps runs without maps too.
     if (rule->needs.has(Need::maps) && !rule->needs.has(Need::header) && !maps) continue;
     if (rule->needs.has(Need::layout) && !atlas) continue;
     if (rule->needs.has(Need::named) && !named) continue;

@@ -123,10 +123,10 @@ struct Manifest {
   bool linear8_f0 = false;              // F0 is declared to be 8-bit linear (ETK405)
   bool transparent = false;             // alpha is transparency
   bool one_texture = false;             // the other texture was left out on purpose: its values are constant
-  // Of pages: the path of the scene that reads them, where that is judged too. What the pages show is judged
-  // with it, and here what their layout alone can break.
+  // The path of the scene that reads pages, where that is judged too. What the pages show is judged with it, and here what
+  // their layout alone can break.
   std::string scene;
-  // Of a page whose materials' parts lie apart: what they show is judged material by material, and of the page what
+  // The page holds materials whose parts lie apart: what they show is judged material by material, and of the page what
   // its layout alone can break.
   bool layout_alone = false;
   std::vector<AtlasRect>

@@ -59,7 +59,7 @@ double of_medium(double (*formula)(double n, double k), In x) {
   return formula(m.n, m.k);
 }
 
-// Of n < 1 F has a corner at the critical angle.
+// For n < 1, F has a corner at the critical angle.
 double mean_fresnel_exact(double index, double extinction) {
   const double corner = index < 1 ? std::sqrt(1 - index * index) : 0;
   const auto weighted = [&](double c) { return 2 * c * formulas::fresnel_exact(index, extinction, c); };

@@ -54,7 +54,7 @@ const std::vector<NamedStudio>& named_studios();
 /// The one of that name; null where there is none, and the name is that of a file.
 const Studio* find_studio(std::string_view name);
 
-/// What pictures are made with when nothing is said: the environment "studio" and two directional lights, a
+/// The lights that pictures are made with when nothing is said: the environment "studio" and two directional lights, a
 /// bare flash before its key light and one before a strip behind the object. The flashes are what shading
 /// models are told apart by, as an environment is the same for all of them. Of the irradiance on a plane that
 /// faces the camera the key flash gives a fifth; all of it is pi.

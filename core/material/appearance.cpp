@@ -120,7 +120,7 @@ constexpr auto group_rows = std::to_array<GroupRow>({{"oil", 0.1},
                                                      {"metal", 0.6},
                                                      {"stone", 0.7}});
 
-// Of the body below the layers.
+// The clarity of the body below the layers.
 Clarity clarity_of_base(const Stack& stack, RgbSpace space) {
   Clarity out;
   if (!stack.is_open()) return out;

@@ -80,7 +80,7 @@ bool has_unresolved_fringes(const F0Setup& setup, const Stack& stack) {
   return core_first_nm * core_first_nm < least_steps * std::max(step_nm(setup.options.method), 1) * path;
 }
 
-// What all media of a stack cover, and the flags of all.
+// The range that all media of a stack cover, and the flags of all.
 void add_stack(const F0Setup& setup, const Stack& stack, F0Result& result) {
   if (!stack.is_open()) {
     result.refusal = "the materials of the stack " + printable(stack.text) + " were not looked up";

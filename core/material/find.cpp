@@ -12,7 +12,7 @@
 namespace etak {
 
 void fail_unknown_name(const MaterialLibrary& library, std::string_view text, const NameWords& words) {
-  // Of "milk/jensen-2001" it is the material that is not known.
+  // The part that is not known of "milk/jensen-2001" is the material.
   const MaterialLibrary::Missing missing = library.missing(text.substr(0, text.find('/')));
   const std::string shown = printable(text);
   std::string expected(words.instead);

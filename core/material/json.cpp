@@ -306,7 +306,7 @@ std::vector<AliasNote> read_alias_notes(const Node& node, const Material& m, boo
 Material parse_material(std::string_view text, std::string_view file) {
   const JsonDocument document = parse_json_strictly(text, file, most_depth, "a material file");
   const Node root{document, file, ""};
-  // What `etak show --format json` writes holds the material of a file.
+  // The output of `etak show --format json` holds the material of a file as one member.
   const bool shown = root.value.is_object() && root.has("schema") && root.value["schema"] == "etak-show/1";
   return read_material(shown ? root.at("material") : root);
 }

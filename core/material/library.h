@@ -14,7 +14,7 @@
 
 namespace etak {
 
-/// By which of its names a material was found; qualified: by one of them with qualifiers around it.
+/// The kind of name by which a material was found; qualified: by a name with qualifiers around it.
 enum class NameKind { id, name, alias, formula, qualified };
 std::string_view name(NameKind kind);
 
@@ -57,7 +57,7 @@ class MaterialLibrary {
   /// Sorted by id.
   const std::vector<std::string>& ids() const { return ids_; }
 
-  /// By id, then name, then alias, for which case, spaces, '-' and '_' do not matter, then by an alias that
+  /// Finds a material by id, then name, then alias, for which case, spaces, '-' and '_' do not matter, then by an alias that
   /// is a chemical formula (is_formula()), in its own case. "ID/DATASET" is the caller's business.
   std::optional<FoundName> look_up(std::string_view name) const;
   /// The material of that name. A text of layers ("water:2mm/copper") is a material of its own, and so is a composition of a

@@ -59,7 +59,7 @@ std::string doubt(const Material& material, const Dataset& dataset) {
 
 Flags quality_flags(const Material& material, const Dataset& dataset) {
   Flags flags;
-  // Of a stack the media were measured.
+  // A stack is computed, but its media were measured.
   if (dataset.origin == Origin::computed && !std::holds_alternative<Stack>(dataset.optics))
     flags.set(Flag::computed);
   if (is_sparse(dataset.optics)) flags.set(Flag::sparse);

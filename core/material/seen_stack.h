@@ -40,7 +40,7 @@ class SeenStack {
   /// n and k against the outside medium at the wavelengths; empty of a stack with layers.
   FilmSpectra::Medium bare_index() const;
 
-  /// What is summed: the wavelengths, the media's n and k at each.
+  /// The values that are summed: the wavelengths, the media's n and k at each.
   const FilmSpectra& spectra() const;
 
   /// Gives a layer another thickness; it stays coherent or incoherent.

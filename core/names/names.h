@@ -21,7 +21,7 @@ namespace etak {
 /// What stands between the parts of a name.
 inline constexpr std::string_view name_separators = "_-. ";
 
-/// Whose convention a name follows.
+/// The program or library whose convention a name follows.
 ///   common   words that Blender, Godot, glTF exporters and many others share
 ///   own      [names] or [roles] of etak.toml
 enum class Convention { common, ambient_cg, poly_haven, quixel, substance, unity, unreal, own };
@@ -97,11 +97,11 @@ class NameReader {
  public:
   /// `own` comes before the built-in words.
   explicit NameReader(std::span<const OwnName> own);
-  /// Of a file's name without its folder; nullopt: no ending is known.
+  /// Reads a file's name without its folder; nullopt: no ending is known.
   std::optional<ParsedName> read(std::string_view file_name) const;
-  /// Of a file in a folder whose name is the word ("basecolor/wall.png"); nullopt: the folder's name is none.
+  /// Reads the name of a file whose folder is named by the word ("basecolor/wall.png"); nullopt: the folder's name is none.
   std::optional<ParsedName> read_in_folder(std::string_view folder, std::string_view file_name) const;
-  /// By a pattern of [sets] without a defect, which is held against the end of the path, without the format:
+  /// Reads a path by a pattern of [sets] without a defect, which is held against the end of the path, without the format:
   /// {role} is a word of [names] or of the conventions, {set} and `*` any text without a '/'.
   ///   matched_from   where in the path the pattern begins
   std::optional<ParsedName> read_by_pattern(std::string_view pattern, std::string_view path,

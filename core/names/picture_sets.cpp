@@ -242,7 +242,7 @@ void for_each_value(std::vector<NamedPicture*> same, Value (*value_of)(const Nam
   }
 }
 
-// By which the versions of a picture are put in order, the one to judge first: a name without a version is taken for
+// The key that puts the versions of a picture in order, the one to judge first: a name without a version is taken for
 // what was handed over, "final" for the last of the versions, and copies and old states come after all others.
 // Numbers count by their value: v12 is later than v9.
 std::pair<int, std::string> age(const NamedPicture& picture) {

@@ -13,7 +13,7 @@ struct NamePart {
   char before;  // the separator in front of it; '\0': none
 };
 
-// Which parts of a name stood beside the word.
+// The parts of a name that stood beside the word.
 struct NameMarks {
   bool unreal = false;            // "T_" in front
   bool capital = false;           // the word begins with a capital

@@ -40,7 +40,7 @@ std::string layout_svg(const AtlasLayout& layout, int page);
 struct SourceMap {
   std::string materials, svg;
 };
-/// Of every picture that is not on a page whole.
+/// The maps of every picture that is not on a page whole.
 std::vector<SourceMap> source_maps(const AtlasLayout& layout);
 
 /// An HTML page of an atlas: textures, layout, texels that were left out, findings, and the defines of each

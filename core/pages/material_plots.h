@@ -49,7 +49,7 @@ struct ColorCurve {
 LinePlot curves_plot(CurveKind kind, const std::vector<ColorCurve>& curves,
                      std::span<const PlotChannel> channels, double light_deg);
 
-/// The same curves around the normal.
+/// The curves of a plot around the normal.
 PolarPlot polar_plot(const LinePlot& plot, double light_deg, RadialScale scale);
 
 /// The curves as JSON, etak-curve/1.

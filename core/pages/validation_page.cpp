@@ -200,7 +200,7 @@ void append_file(std::string& out, const CheckedFile& file, const ValidationPage
   const auto folded =
       std::ranges::find_if(sorted, [](const Finding* f) { return weight(*f) <= Severity::info; });
   std::for_each(sorted.begin(), folded, [&](const Finding* finding) { append_finding(out, *finding); });
-  // What needs no work is folded beside what does. Where it is all that there is, the whole file is.
+  // Findings that need no work are folded beside those that do. Where there are no others, the whole file is folded.
   const std::size_t rest = static_cast<std::size_t>(sorted.end() - folded);
   const bool fold = folded != sorted.begin() && rest > 0;
   if (fold)

@@ -5,7 +5,7 @@
 
 namespace etak::rects {
 
-/// Which free rectangle takes the next one.
+/// The rule by which a free rectangle is chosen for the next one.
 enum class Fit { short_side, area, bottom_left, contact };
 const char* name_of(Fit fit);
 

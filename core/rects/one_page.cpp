@@ -151,7 +151,7 @@ class FreeSearch {
         rotate_(rotate),
         search_(set, rotate, frame.threads, budget) {}
 
-  // What a look finds at each width goes into `best`.
+  // Looks at each width; layouts that are found go into `best`.
   void look(Best& best) {
     for (const int width : widths_to_try(set_, frame_, rotate_)) {
       const Family family = family_of(width);
@@ -217,7 +217,7 @@ class FreeSearch {
  private:
   static constexpr std::size_t finalists = 6;
   static constexpr int look_effort = 12;
-  // Of few rectangles a try takes little, so that more of them pay.
+  // A try of few rectangles takes little, so that more of them pay.
   int part(int effort) const { return set_.size() <= most_few ? 4 * effort / 3 : std::max(1, effort / 3); }
 
   Family family_of(int width) const {

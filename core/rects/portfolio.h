@@ -21,7 +21,7 @@ struct Try {
 /// So many rectangles have a portfolio of their own, of many cheap tries.
 inline constexpr int most_few = 700;
 
-/// What is worth trying for n rectangles, the most promising first.
+/// The tries that are worth making for n rectangles, the most promising first.
 std::vector<Try> portfolio(int n, bool rotate);
 
 }  // namespace etak::rects

@@ -155,7 +155,7 @@ void Search::start(const Family& family, Best& best) {
     last = std::min(family.full(std::clamp(side, family.least, family.most)), family.most);
     tried(family.width_at(last), last);
   }
-  // Of few rectangles another rule will soon do better: where the first one ends is not worth its tries.
+  // For few rectangles another rule will soon do better: the end of the first one is not worth its tries.
   if (best.any) descend(family, best, how, order(how), !few());
 }
 

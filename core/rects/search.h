@@ -24,7 +24,7 @@ class Search {
     run(family, best, {}, none);
   }
 
-  /// The same. `noted` becomes the layouts with which a search of each effort in `marks` would have ended;
+  /// Runs the search as above. `noted` becomes the layouts with which a search of each effort in `marks` would have ended;
   /// the efforts rise, and none is above that of the budget.
   void run(const Family& family, Best& best, std::span<const int> marks, std::vector<Best>& noted);
 

@@ -174,7 +174,7 @@ Packed fill_pages(const Set& set, const Frame& frame, int width, int height, Cos
       if (cost == Cost::texels) shrink(set, packed);
       const std::int64_t found =
           cost == Cost::texels ? texels_of(packed, frame) : static_cast<std::int64_t>(packed.pages.size());
-      // Of layouts of equal cost, the one with the emptiest last page: it has most room left.
+      // Among layouts of equal cost the one with the emptiest last page is kept: it has most room left.
       if (!must && std::tie(found, filled.last_area) >= std::tie(best_cost, best_last)) continue;
       packed.method = which < 0 ? "the fullest of 8 rules for each page"
                                 : portfolio(set.size(), rotate)[at(which)].name();

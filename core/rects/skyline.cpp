@@ -293,7 +293,7 @@ Outcome Skyline::fill(int width, int height) {
   return fill(width, height, std::int64_t{width} * height);
 }
 
-// Of the page's area `spare` may be lost.
+// Fills a page of whose area `spare` may be lost.
 Outcome Skyline::fill(int width, int height, std::int64_t spare) {
   Outcome out;
   out.work = 10 * static_cast<std::int64_t>(waiting_count_);

@@ -29,7 +29,7 @@ constexpr int level_count = lobe_levels;
 // (e = 4096, about 5 degrees wide).
 constexpr int prefilter_width = 512;
 constexpr double widest_lobe_map = 256;
-// Of quick prefiltering, and of the picture of a studio that is prefiltered so.
+// The widths of the map that quick prefiltering reads, and of the picture of a studio that is prefiltered so.
 constexpr int quick_width = 128, quick_studio_width = 256;
 constexpr double widest_quick_map = 64;
 

@@ -68,7 +68,7 @@ class Environment {
   /// Whether it was made by Prefilter::quick, to be shown until a full one is there.
   bool is_quick() const { return quick_; }
 
-  /// What refined pictures see of the environment, made when it is first asked for.
+  /// The samples by which refined pictures see the environment, made when they are first asked for.
   const LightSamples& samples(bool bright_apart, unsigned threads) const;
 
   /// Two maps between which lies the environment as a backdrop shows it, and the weight of the duller one.

@@ -14,7 +14,7 @@ namespace {
 constexpr Vec3 under_object{0, -1, 0};
 constexpr double horizontal = 1e-9;
 
-// Of an area light on the ground under the object: the mean over even places of radiance times both cosines.
+// The irradiance of an area light on the ground under the object: the mean over even places of radiance times both cosines.
 double area_irradiance(const Light& light) {
   constexpr int side = 64;
   double sum = 0;

@@ -44,7 +44,7 @@ class MeshView {
   const Mesh& mesh_;
   const Camera& camera_;
   int width_;
-  // Of each vertex: its place in the picture in homogeneous coordinates, and how far it is towards the camera.
+  // The place of each vertex in the picture in homogeneous coordinates, and how far it is towards the camera.
   std::vector<Vec3> seen_;
   std::vector<float> near_;
   std::vector<std::size_t> first_;      // of each row and its end: where its triangles begin

@@ -87,7 +87,7 @@ Look look_of(const DiffuseSpecular& texel, double gloss, double alpha, double re
   return out;
 }
 
-// Of the values from `begin` to before `end`.
+// The largest difference among the values from `begin` to before `end`.
 double largest_difference(const Look& a, const Look& b, std::size_t begin, std::size_t end) {
   double out = 0;
   for (std::size_t c = begin; c < end; ++c) out = std::max(out, std::abs(a[c] - b[c]));
@@ -114,7 +114,7 @@ struct Sources {
 
   double alpha_of(double value) const { return m.alpha_mode == AlphaMode::opaque ? 1 : value; }
 
-  // What a shader makes of what samplers find there.
+  // The look that a shader makes of the texels that samplers find at u, v.
   Look at(double u, double v) const {
     const auto a = found(color(), true, u, v), b = found(second(), m.specular_glossiness, u, v);
     DiffuseSpecular ds;
@@ -136,13 +136,13 @@ struct Sources {
   }
 };
 
-// Of texels that are partly metal, whose F0 lies above the dielectric's.
+// The cost of texels that are partly metal, whose F0 lies above the dielectric's.
 double of_partly_metal(const GltfMaterial& m, const MaterialPair& pair, const std::uint8_t* used) {
   const Vec3 dielectric =
       dielectric_f0(m.ior, m.specular, {m.specular_color[0], m.specular_color[1], m.specular_color[2]});
   const double reduced_by = std::max({dielectric[0], dielectric[1], dielectric[2]});
   const std::uint8_t least = srgb_u8(reduced_by);
-  // By codes of diffuse and F0: most pairs of codes come again and again.
+  // Which pairs of codes of diffuse and F0 were looked at: most pairs come again and again.
   std::vector<bool> seen(256 * 256, false);
   double worst = 0;
   for (std::size_t i = 0; i < pair.diffuse_alpha.pixel_count(); ++i) {
@@ -162,7 +162,7 @@ double of_partly_metal(const GltfMaterial& m, const MaterialPair& pair, const st
 // F0 of metal comes from base colour, so that vertex colours multiply it; F0 in a texture of its own they do not.
 double of_tinted_metal(const GltfMaterial& m, const Image8& metallic, const MaterialPair& pair,
                        const std::uint8_t* used, const VertexColors& colors) {
-  // Of what textures make of the dielectric's F0 nothing is taken to come from metal less than it is.
+  // Where textures change the dielectric's F0, that is taken to be 0, so that no metal counts as less than it is.
   const bool varies = m.specular_texture || m.specular_color_texture;
   const Vec3 dielectric =
       varies
@@ -186,7 +186,7 @@ double of_tinted_metal(const GltfMaterial& m, const Image8& metallic, const Mate
   return worst;
 }
 
-// Of the places between texels where a sampler mixes them in equal parts. There diffuse of the material's own textures
+// The cost at places between texels, where a sampler mixes them in equal parts. There diffuse of the material's own textures
 // is that of the pair plus, and F0 that of the pair less, what base colour and metal vary together by: their mean
 // product less the product of their means.
 class BetweenTexels {
@@ -290,7 +290,7 @@ class Compared {
     return out;
   }
 
-  // The same at the pair's own texels and between them.
+  // The worst difference at the pair's own texels and between them.
   double worst_everywhere() const {
     double out = worst(width_, height_, 0, 0, Look{}.size());
     if (sampler_.nearest) return out;

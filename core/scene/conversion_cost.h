@@ -43,7 +43,7 @@ ConversionCost conversion_cost(const GltfMaterial& material, const SceneImages<s
                                const MaterialPair& pair, GlossForm gloss, const std::uint8_t* used,
                                const VertexColors& colors = {});
 
-/// What is told of it, without the material's name. None where it is exact.
+/// The sentence that a remark says of a cost, without the material's name. None where the conversion is exact.
 std::optional<std::string> sentence_of(const ConversionCost& cost);
 
 }  // namespace etak

@@ -243,7 +243,7 @@ struct AtlasMaterial {
   std::array<double, 4> diffuse{1, 1, 1, 1};  // factors (linear) where no texture
   std::array<double, 3> specular{0.04, 0.04, 0.04};  // F0
   double roughness = 1;
-  // Of form metal_rough alone, solved by metal_rough_of() of core/scene/material_texels.h.
+  // Images and factors of the form metal_rough alone, solved by metal_rough_of() of core/scene/material_texels.h.
   std::optional<int> base_color_image;          // sRGB RGB, alpha
   std::optional<int> metallic_roughness_image;  // G roughness, B metallic
   std::array<double, 4> base_color{1, 1, 1, 1};
@@ -251,7 +251,7 @@ struct AtlasMaterial {
   // The two hold the texels of the material's own textures, under its own factors: lossless. Where one is absent
   // the material keeps that texture as it is.
   bool own_factors = false;
-  // Of own factors: these hold the one colour of that texture, which is not written.
+  // Whether own factors hold the one colour of the texture of base colour, or of metal and roughness, which is not written then.
   bool base_color_in_factors = false, metal_rough_in_factors = false;
 
   // The material's other textures, where they lie on the pages as the pair does; none: they stay as they are.

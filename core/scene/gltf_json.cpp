@@ -23,7 +23,7 @@ constexpr int most_depth = 64;
 ///   mesh   the triangles themselves are asked for: their copies are not placed
 bool can_be_required(std::string_view name, bool mesh) {
   if (name == "EXT_mesh_gpu_instancing") return !mesh;
-  // Of KHR_texture_basisu image_of_texture() says which picture cannot be read.
+  // image_of_texture() says which picture of KHR_texture_basisu cannot be read.
   return name.starts_with("KHR_materials_") || name == "KHR_texture_transform" ||
          name == "KHR_mesh_quantization" || name == "KHR_lights_punctual" || name == "EXT_texture_webp" ||
          name == "KHR_draco_mesh_compression" || name.ends_with("_meshopt_compression") ||

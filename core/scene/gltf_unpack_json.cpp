@@ -43,7 +43,7 @@ class Unpacking {
   }
 
  private:
-  /// Of `root_` as it is now: a reference to an element does not outlive an addition to its array.
+  /// The document of `root_` as it is now: a reference to an element does not outlive an addition to its array.
   GltfDocument document() const { return {root_, file_, {buffers_.begin(), buffers_.end()}}; }
   static std::string place_of(const JsonNode& node) { return std::string(node.file) + '#' + node.pointer; }
 

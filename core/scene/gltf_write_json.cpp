@@ -134,7 +134,7 @@ WrittenGltf write_gltf(const GltfScene& scene, const GltfOutput& output) {
   try {
     return written(scene, output);
   } catch (const Json::exception& e) {
-    // What no scene reaches was not looked at when the document was read.
+    // Parts that no scene reaches were not looked at when the document was read.
     throw Error::at(scene.path, printable(e.what(), 200), "a document that follows the specification");
   }
 }

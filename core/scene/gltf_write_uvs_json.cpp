@@ -123,7 +123,7 @@ class Primitive {
       region = material_.islands[island].region;
     }
     const UvMatrix matrix = uv_matrix(region) * uv_matrix(fold);
-    // Of mirrored periods, two with the same offset differ in direction.
+    // Two mirrored periods with one offset differ in direction.
     const Uv period{fold.offset[0] + (fold.scale[0] < 0 ? 0.5 : 0),
                     fold.offset[1] + (fold.scale[1] < 0 ? 0.5 : 0)};
     for (Index& corner : corners) corner = vertex_for(corner, island, period, matrix);

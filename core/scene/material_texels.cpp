@@ -50,7 +50,7 @@ MetalRough metal_rough_of(const DiffuseSpecular& texel) {
   // The smaller root, in the form that does not lose digits; without any light, plain black.
   const double t = sum + root > 0 ? std::clamp(2 * d / (sum + root), 0.0, 1.0) : 1;
   MetalRough out;
-  // Of a dark dielectric another root is smaller. The weights of luminance have a sum of 1 but for rounding.
+  // For a dark dielectric another root is smaller. The weights of luminance have a sum of 1 but for rounding.
   out.metallic = std::abs(luminance_of(texel.f0) - dielectric) <= 1e-9 ? 0 : 1 - t;
   const double rest = 1 - out.metallic;
   for (std::size_t i = 0; i < 3; ++i) {

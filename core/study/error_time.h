@@ -102,7 +102,7 @@ struct TimedSet {
 
 /// Pictures of one size below each other, as a figure of a family: what each way makes of the same.
 struct ErrorTimeStrips {
-  /// What one way makes of it.
+  /// The picture that one way makes.
   ///   note   its error, in words
   ///   png    the picture, a PNG file
   struct Row {

@@ -23,7 +23,7 @@ struct FresnelTruth {
   std::vector<double> weight;  // in the mean over a sphere that is seen from far away, 2 c dc; their sum is 1
   std::vector<Vec3> rgb;
   Vec3 f0{}, f82{};  // at cos 1 and 1/7
-  // Of a stack of layers there are neither of these.
+  // Indices, which a stack of layers does not have.
   std::array<Vec3, 2> mean_index{};         // n and k averaged over the spectrum as reflectances are
   std::array<Vec3, 2> three_wavelengths{};  // n and k at 611.4, 549.1 and 464.3 nm, as sRGB's primaries
 };
@@ -42,7 +42,7 @@ FresnelTruth fresnel_truth(const Optics& optics, std::string_view what, double s
 inline constexpr std::size_t most_form_numbers = FresnelCurve::count;
 using ChannelValues = std::array<double, most_form_numbers>;
 using FresnelValues = std::array<ChannelValues, 3>;
-/// Those of one channel in float, as FresnelForm::many takes them.
+/// The values of one channel in float, as FresnelForm::many takes them.
 std::array<float, most_form_numbers> single_values(const ChannelValues& values);
 
 /// A form of Fresnel reflectance that a shader can have.

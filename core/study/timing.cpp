@@ -100,7 +100,7 @@ class Rounds {
       calls_.push_back(calls_in(seconds, clock, each.body));
       once += static_cast<double>(calls_.back().count) * calls_.back().seconds;
     }
-    // Of long calls, rounds of a single repeat tell more than fewer rounds of several.
+    // For long calls, rounds of a single repeat tell more than fewer rounds of several.
     const auto fit = static_cast<std::size_t>(
         std::clamp(options.most_seconds / std::max(once, 1e-9), 1.0, static_cast<double>(repeats)));
     repeats_ = fit < repeats ? 1 : std::min(repeats, repeats_a_round);

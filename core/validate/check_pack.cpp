@@ -36,7 +36,7 @@ PackCheck::PackCheck(const std::string& output, PackCheckOptions options)
 
 void PackCheck::attach(PackOptions& options) {
   const Settings& settings = options_.config.settings;
-  // What the limit is counts too: it decides which pages are good. The usual one goes without saying.
+  // The limit counts too, because it decides which pages are good. The usual one goes without saying.
   options.check.settings = settings_hash(settings);
   if (options_.never_fails)
     options.check.settings += "never";

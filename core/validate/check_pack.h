@@ -41,7 +41,7 @@ class PackCheck {
   /// To be called by PackOptions::beside: gathers what was found, also into the report of what was packed.
   const ValidationReport& finish(PackResult& report);
 
-  /// What was found; null before finish(), and where the atlas was up to date.
+  /// The report; null before finish(), and where the atlas was up to date.
   const ValidationReport* report() const { return finished_ ? &report_ : nullptr; }
   /// Whether the findings fail the run, and whether something could not be checked.
   bool failed() const { return finished_ && !report_.passed && !options_.never_fails; }

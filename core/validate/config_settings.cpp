@@ -5,7 +5,7 @@
 namespace etak {
 namespace {
 
-// Of findings that a run may fail for: "off" is no such severity.
+// A severity of findings that a run may fail for: "off" is none.
 std::optional<Severity> finding_severity(const std::string& text) {
   const auto out = severity_named(text);
   return out == Severity::off ? std::nullopt : out;

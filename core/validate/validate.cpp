@@ -92,7 +92,7 @@ class Checks {
     done_[i] = 1;
   }
 
-  // What is known of the files of a target before they are read, where its result is kept for the next run.
+  // The facts of a target's files before they are read, where its result is kept for the next run.
   std::vector<sys::FileInfo> known_files(const FoundTarget& found) const {
     return request_.memory.before ? look_at(found.depends) : std::vector<sys::FileInfo>();
   }

@@ -41,7 +41,7 @@ struct MaterialsToCheck {
   std::shared_ptr<KeptPictures> kept;
 };
 
-/// What is checked. Files that belong together are found by their names: diffuse and specular pictures that differ in the
+/// The files that are checked. Those that belong together are found by their names: diffuse and specular pictures that differ in the
 /// ending of their role only, the pictures of a layout or of a scene.
 struct ValidationInputs {
   std::vector<std::string> paths;    // files and folders, as the user named them

@@ -370,7 +370,7 @@ int answer_f0(F0Arguments& arguments) {
   // A bad --library is an error even where no name is looked up.
   if (!arguments.library.folders.empty()) (void)arguments.library.get();
   F0Options options = f0_options(arguments.compute, arguments.library);
-  // Of bare F, which no instrument sees.
+  // The mean is that of bare F, which no instrument sees.
   options.mean = !options.instrument.any() && (output.format == "json" || output.format == "jsonl" ||
                                                (output.format == "table" && arguments.verbose));
   const F0Solver solver(std::move(options));

@@ -35,7 +35,7 @@ PackCheckOptions check_options(PackArguments& a) {
   return out;
 }
 
-// What is to be said of an atlas.
+// The texts that are said of an atlas.
 //   check   null: the atlas was not checked
 PackTold told_of(const PackResult& report, const PackCheck* check, bool stages) {
   PackTold out;

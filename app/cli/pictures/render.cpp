@@ -360,7 +360,7 @@ int draw_within_memory(RenderArguments& arguments) {
   Scene scene;
   Shared shared{mesh_of(arguments), nullptr};
   if (!arguments.sweep.empty()) {
-    // Of the curves of layers only the worst is told.
+    // Only the worst of the curves of layers is told.
     double worst = -1;
     std::vector<std::string> of_layers;
     const Image row = draw_sweep(arguments, [&](RenderArguments& one) {

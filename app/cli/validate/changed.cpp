@@ -76,7 +76,7 @@ class Git {
     }
   }
 
-  // What git prints. Throws Error where it refuses, unless there is no text for that.
+  // The output of git. Throws Error where git refuses, unless there is no text for that.
   std::string output(const Names& arguments, const std::string& refused = {},
                      const std::string& expected = {}) const {
     Names words = words_;
@@ -184,7 +184,7 @@ void add_changes(const fs::path& folder, const Names& named, const std::string& 
       add_files_beside(path, out);
     }
   }
-  // What has changed in the others and is not committed there. A way through links leads to no submodule.
+  // Adds what has changed in the submodules and is not committed there. A way through links leads to no submodule.
   for (const std::string& name : submodules) {
     const fs::path path = (folder / name).lexically_normal();
     if (!is_full_folder(path) || fs::canonical(path) != fs::canonical(folder) / name) continue;

@@ -80,7 +80,7 @@ void tell_not_checked(const ValidationReport& report, const ValidateArguments& a
   std::size_t count = 0;
   for (const CheckedFile& each : report.files) {
     if (!each.unreadable || ++count > most_named) continue;
-    // Of a pair or set, the finding names the file that is damaged.
+    // The finding of a pair or set names the file that is damaged.
     const auto why = std::ranges::find_if(each.findings, is_of_the_tool, &Finding::rule);
     const bool told = why != each.findings.end();
     complain(shown_path(told ? why->file : each.path, report.typed) + ": could not be checked" +

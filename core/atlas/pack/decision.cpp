@@ -26,7 +26,7 @@ int levels_asked(const PackOptions& options, const PackInputs& inputs) {
   return writes_containers(options.output.write) ? 0 : 1;
 }
 
-// The same, and those that viewers make of a scene's pages by themselves.
+// Mips that samplers may read, 0: all: those that the settings ask for, and those that viewers make of a scene's pages.
 int levels_sampled(const PackOptions& options, const PackSource& source) {
   const int asked = levels_asked(options, source.inputs);
   return source.scene ? source.scene->sampled_levels(asked) : asked;
@@ -41,12 +41,12 @@ LeaveOut left_out_of(const PackSource& source, const PackOptions& options, const
   if (way.whole) what.keep.insert("crop");
   what.levels = levels_sampled(options, source);
   what.gutter = way.gutter;
-  // What materials share, and which are numbers, was left out before.
+  // Parts that materials share, and parts that are numbers, were left out before.
   if (source.one_page) what.keep.insert({"equal", "alpha", "constant", "grey"});
   return leave_out(facts, what);
 }
 
-// By material: all that use its texels.
+// For each material the materials that use its texels.
 using Users = std::vector<std::vector<std::size_t>>;
 
 Users users_by_owner(const std::vector<MaterialFate>& fates) {
@@ -114,7 +114,7 @@ struct ResolutionJob {
   }
 };
 
-// Of a box: its own mips.
+// The resolution of a box, by the mips of its own texels.
 Resolution resolution_of_box(const ResolutionJob& job) {
   const int levels = job.options.leave_out.max_error ? 0 : job.unseen + 1;
   const MipPair chain =
@@ -123,8 +123,8 @@ Resolution resolution_of_box(const ResolutionJob& job) {
   return job.of(chain, job.material.wrap_of(job.box), {0, 0, job.box.width, job.box.height});
 }
 
-// Of an outline: the picture's mips, of which filtering reads a texel beyond the box. Only levels that halve the picture
-// whole are such.
+// The resolution of an outline, by the picture's mips, of which filtering reads a texel beyond the box. Only levels whose
+// sides are whole halves of the picture's count.
 Resolution resolution_of_outline(const ResolutionJob& job) {
   Resolution out;
   const PackInput& m = job.material;
@@ -147,7 +147,7 @@ Resolution resolution_of_outline(const ResolutionJob& job) {
   return out;
 }
 
-// With how many texels a region is stored.
+// How many texels a region is stored with.
 Resolution resolution_for(const Region& region, const PackOptions& options, const PackInputs& inputs,
                           const std::vector<std::size_t>& users, FoundResolutions& found) {
   const PackInput& m = inputs.materials[region.material];
@@ -233,7 +233,7 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source, c
   return out;
 }
 
-// By page.
+// The mips of each page.
 std::vector<PageLevels> levels_of(const PackOptions& options, const PackInputs& inputs,
                                   const std::vector<Region>& regions, const PackingPlan& plan) {
   std::vector<int> read(plan.pages.size(), options.leave_out.keep.contains("mips") ? 0 : 1);
@@ -261,7 +261,7 @@ void teach(const ChannelRange& range, const TexelHash& color, const TexelHash& s
   to.specular_hash = specular;
 }
 
-// The same files read in the same way were read once: materials of the same source have the same facts.
+// Materials of one source get equal facts: their files, read in one way, are read once.
 void teach_same_sources(PackInputs& inputs) {
   std::map<std::string, const MaterialFacts*> known;
   for (const PackInput& m : inputs.materials)
@@ -381,7 +381,7 @@ std::vector<PackDecision> decide(const PackOptions& options, const PackSource& s
   if (may_outline(options, source, previous)) try {
       PackDecision outlines = decided(Way::outlines, options, source, previous, found);
       if (previous != nullptr && outlines.plan.kept_previous) {
-        // They stay where they are, though boxes that all move might take less.
+        // The outlines stay where they are, though boxes that all move might take less.
         out[0] = std::move(outlines);
         return out;
       }

@@ -27,9 +27,9 @@ struct PageLevels {
   int kept = 1;     // of those the ones that a sampler reads, and in which some region has a texel of its own
 };
 
-/// What the PNG files take that the pictures of a decision's pages would become, by their names, in every form
-/// that may be written of one Others.
-///   bare   the same without occlusion, of pictures that have it in their red channel
+/// The sizes of the PNG files that the pictures of a decision's pages would become, by the names of the files, in every
+/// form that may be written for one of Others.
+///   bare   the sizes without occlusion, of pictures that have it in their red channel
 struct PictureSizes {
   std::map<std::string, TextureTotals> files, bare;
 };
@@ -47,7 +47,7 @@ struct PackDecision {
   std::vector<Resolution> resolutions;  // by part: with how many texels it is stored
   PackingPlan plan;                     // its places: by region
   std::vector<PageLevels> levels;       // by page
-  // By Others; none where files are not weighed.
+  // The weights of the pictures, for each of Others; none where files are not weighed.
   std::optional<std::array<PictureSizes, 2>> sizes;
   std::vector<GoalCost> other_goals;  // the same; see other_goals()
 };

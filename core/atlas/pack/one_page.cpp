@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t part_count = channel_parts.size();
 constexpr std::size_t diffuse_part = 0, alpha_part = 1, gloss_part = 3;
 
-// By part: of all texels of a material.
+// The hash of each part of all texels of a material.
 using PartHashes = std::array<std::array<std::uint64_t, 2>, part_count>;
 
 template <class Value>
@@ -80,15 +80,15 @@ struct Shared {
   std::size_t part, owner;
   std::vector<std::size_t> users;
   std::optional<std::size_t> sheet;
-  // Of a colour: the alpha that all of its materials read; none where they differ, or it is a number.
+  // The alpha that all materials of a colour read; none where they differ, or it is a number.
   std::optional<std::size_t> alpha;
 };
 
-// Which materials share what.
+// The parts that materials share.
 struct Sharing {
   std::vector<Shared> shared;
   std::array<std::vector<Number>, part_count> numbers;
-  // By material and part: into `shared`, or into `numbers`.
+  // What a material reads as a part: an index into `shared`, or into `numbers`.
   struct Use {
     bool number = false;
     std::size_t index = 0;
@@ -134,7 +134,7 @@ Sharing find_sharing(const std::vector<PackInput>& materials, const std::vector<
   return out;
 }
 
-// By part: what a sheet holds, an index into Sharing::shared.
+// What a sheet holds of each part, an index into Sharing::shared.
 using Sheet = std::array<std::optional<std::size_t>, part_count>;
 
 bool fits(const Sheet& sheet, std::size_t index, const Sharing& of, const std::vector<PackInput>& materials) {
@@ -176,7 +176,7 @@ constexpr bool is_alpha(std::size_t part) {
   return part == alpha_part;
 }
 
-// By part: the material that lends it to a sheet; null: none.
+// The material that lends each part to a sheet; null: none.
 using Lenders = std::array<const PackInput*, part_count>;
 
 template <class Value, class Load>

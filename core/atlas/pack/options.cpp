@@ -60,14 +60,14 @@ std::optional<PngLevel> png_level(const std::string& text) {
   return text == "small" ? PngLevel::small : text == "smallest" ? PngLevel::smallest : PngLevel::fast;
 }
 
-// Of two forms in one file no files are weighed.
+// The goal as a value. Where one file holds two forms no files are weighed.
 PackGoal goal(const std::string& text, bool one_form) {
   for (const PackGoal each : {PackGoal::disk, PackGoal::both, PackGoal::one_page})
     if (text == name(each)) return each;
   return text == name(PackGoal::within) && one_form ? PackGoal::within : PackGoal::gpu;
 }
 
-// What cannot be asked for beside one page.
+// Refuses settings that cannot be asked for beside one page.
 void refuse_beside_one_page(const PackSettings& s) {
   const std::string beside = " beside " + setting("goal") + " one-page";
   if (s.page_form == "pages" || s.page_form == "mixed")

@@ -36,7 +36,7 @@ struct PackedScene;  // core/atlas/pack/scene/gltf_pack.h
 // because it reads and writes picture files.
 
 using PageCheck = std::function<bool(const AtlasLayout&, int page, const PagePixels&)>;
-/// The same of PNG files that are written but not yet in place.
+/// A check of a page whose PNG files are written but not yet in place.
 using WrittenPageCheck =
     std::function<bool(const AtlasLayout&, int page, const std::function<std::string(Texture)>& path)>;
 
@@ -52,7 +52,7 @@ struct PackManifest {
   std::string settings;
 };
 
-/// What is read, and how.
+/// The input, and how it is read.
 struct PackInputOptions {
   // Asked of every JSON file: the manifest that it stands for where it is none itself, such as a project.
   // Empty: every one is a manifest.
@@ -63,7 +63,7 @@ struct PackInputOptions {
   std::string space_config;  // the file that pictures.open_space reads; empty: none
 };
 
-/// What the atlas need not hold.
+/// The parts that the atlas need not hold.
 struct PackLeaveOutOptions : LeaveOutOptions {
   std::optional<ShadingVariants> variants;  // what etak choose found: defines, flat textures, unread mips
   // Where fewer texels do: differences up to `max_error` (CIEDE2000; and percent of alpha and gloss) against
@@ -89,7 +89,7 @@ struct PackLayoutOptions {
   double most_extra_area = 0.05;
 };
 
-/// What is written, and which existing files it may replace.
+/// The files that are written, and which existing files they may replace.
 struct PackOutputOptions {
   WriteOptions write;
   CompressOptions compress;  // of KTX2 and DDS files
@@ -122,7 +122,7 @@ struct PackCheckHooks {
   // yet. Last comes the number of pages, for materials that are on none. An atlas with a page that is not
   // good enough is written, but never up to date.
   PageCheck page;
-  // In place of it for pages that are never whole in memory; without this one, `page` makes them whole.
+  // Called in place of `page` for pages that are never whole in memory; without it they are made whole for `page`.
   WrittenPageCheck written_page;
   std::string settings;  // what the check goes by: part of the settings
   // Asked when all files of the atlas are on the disk and none is in place, also in a dry run. What it gives
@@ -194,8 +194,8 @@ struct PackResult {
   int tries = 0, levels = 1;
   bool cut_by_time = false, kept_previous = false, inset = false;
   std::size_t moved = 0;
-  // Of a scene whose samplers read mips: the level from which on mips that a viewer makes of whole pages mix
-  // the texels of neighbours. None where no region has a neighbour.
+  // The level from which on the mips that a viewer makes of whole pages mix the texels of neighbours, for a scene whose
+  // samplers read mips. None where no region has a neighbour.
   std::optional<int> mixed_from;
   int passes = 1;  // 2: what the texels taught changed the layout
   std::vector<std::string> files, remarks;
@@ -205,8 +205,8 @@ struct PackResult {
   std::optional<PackTotals> totals;  // none where nothing was written
   std::vector<FormCost> forms;       // of a scene
   PackGoal goal = PackGoal::gpu;     // by which they were weighed
-  // Of a scene whose files were weighed: how its texels lie, what is read of it in the end, and what that would
-  // be by other goals.
+  // How the texels of a scene lie whose files were weighed, what is read of it in the end, and what that would be by
+  // other goals.
   std::string way;
   std::vector<GoalCost> other_goals;
   std::optional<PagesApart> apart;  // of PackGoal::one_page, where there are such pages
@@ -222,7 +222,7 @@ struct PackResult {
 PackResult pack(const std::string& input, const std::string& output, const PackOptions& options,
                 const MaterialLibrary& library);
 
-/// The same of a manifest in memory.
+/// Packs a manifest in memory.
 ///   label   what the result calls it
 PackResult pack(const PackManifest& manifest, const std::string& label, const std::string& output,
                 const PackOptions& options, const MaterialLibrary& library);

@@ -50,7 +50,7 @@ bool may_be_cut(const PackOptions& options, const PackSource& source) {
   return !source.scene && write.formats == std::vector<std::string>{"png"};
 }
 
-// What stays RGBA8 beside textures in blocks is at least compressed as a file.
+// Textures that stay RGBA8 beside textures in blocks are at least compressed as files.
 constexpr int zstd_of_fallback = 3;
 
 void write_files(const WholePage& page, const PackOptions& options, const PackSource& source,
@@ -88,7 +88,7 @@ WriteOptions write_options(const PackOptions& options, const PackStages& stages,
   return out;
 }
 
-// What the files of all pages would take.
+// Weighs the files that all pages would become.
 void weigh_pages(const PackOptions& options, PackSource& source, PackDecision& decision,
                  const PackStages& stages) {
   const ComposeOptions compose{options.run.threads, source.inputs.gloss, options.output.bleed};

@@ -26,8 +26,8 @@ struct MadePages {
   std::vector<BlockLevel> blocks;        // what compression did
 };
 
-/// Of the ways to pack the one whose textures weigh least: of a scene, where files are weighed
-/// (weighs_files()), what scene.gltf reads, and where that is equal the area of the pages. All of its pages are
+/// The way to pack whose textures weigh least: of a scene, where files are weighed (weighs_files()), by what scene.gltf
+/// reads, and where that is equal by the area of the pages. All of its pages are
 /// composed and their pictures compressed for that; the decision keeps the sizes.
 ///   ways   as decide() gives them
 /// Throws Error and PackCancelled.

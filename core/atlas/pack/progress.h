@@ -25,7 +25,7 @@ class PackProgress {
     if (!writes || !png) return;
     for (const PlannedPage& page : plan.pages)
       texels_ += texels_of(page) * static_cast<std::size_t>(page.has[0] + page.has[1]);
-    // What compressing takes against composing: measured on pages of photographs' grain.
+    // The time that compressing takes against composing, measured on pages of photographs' grain.
     const PngLevel level = write.png_level.value_or(PngLevel::small);
     const std::size_t weight = level == PngLevel::fast ? 1 : level == PngLevel::small ? 4 : 16;
     write_steps_ = weight * region_steps_;

@@ -32,7 +32,7 @@ std::string account_json(const TexelAccount& account) {
          "}";
 }
 
-// Of a list its first parts: all are in the report's JSON.
+// The first parts of a list: all are in the report's JSON.
 std::string short_of(const LeaveOutLine& line) {
   constexpr std::size_t most = 3;
   if (line.parts.size() <= most) return line.detail;
@@ -103,7 +103,7 @@ std::string totals_row(const std::string& what, const TextureTotals& totals, con
          (whole && whole->gpu > 0 ? share(totals.gpu, whole->gpu) : "") + "\n";
 }
 
-// What people pay for in the end: all textures of the folder beside all of the input.
+// The totals that people pay for in the end: all textures of the folder beside all of the input.
 std::string totals_text(const PackTotals& totals) {
   const TextureTotals input = PackTotals::all(totals.input), output = PackTotals::all(totals.output);
   if (input.files + output.files == 0) return "";

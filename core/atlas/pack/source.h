@@ -18,8 +18,8 @@ struct PackOptions;
 struct PackSource {
   PackInputs inputs;
   std::unique_ptr<const SceneRead> scene;  // null: no glTF
-  // Of one page for all materials: what they read of `inputs`, which hold their shared parts then. Null: `inputs` are
-  // the materials.
+  // What the materials read of `inputs` where one page holds all of them: `inputs` are their shared parts then. Null:
+  // `inputs` are the materials.
   std::shared_ptr<const OnePage> one_page;
 
   /// The materials as they were read.

@@ -177,7 +177,7 @@ AtlasLayout layout_table(const PackOptions& options, const PackSource& source, c
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const PackInput& m = materials[i];
     if (source.one_page && !m.facts.reached) continue;
-    // Of one page every part is read from a texel, but for an alpha that is full.
+    // One page for all materials gives every part by a texel, but for an alpha that is full.
     MaterialFate fate = source.one_page ? MaterialFate{} : decision.left_out.fates[i];
     const ChannelRange& range = m.facts.range;
     if (source.one_page && range.constant(alpha_channel) && range.most[alpha_channel] == 255)
@@ -212,7 +212,7 @@ BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision&
                       "a larger " + setting("page") + ", or no " + setting("islands"));
     out.page = at.page;
     out.own_page = regions[r].own_page;
-    // Which of the boxes holds a triangle is asked in texels of level 0.
+    // The box that holds a triangle is looked for in texels of level 0.
     out.boxes.push_back({array_of(regions[r].box), transform_of(in, regions[r], at, page),
                          regions[r].texels.empty() ? RowRuns{} : decision.parts[r].texels});
   }

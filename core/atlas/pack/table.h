@@ -20,7 +20,7 @@ AtlasLayout layout_table(const PackOptions& options, const PackSource& source, c
 /// Puts the texels of regions, gutters and waste, and every line of what was left out, into the report.
 void account(const PackInputs& inputs, const PackDecision& decision, PackResult& report);
 
-/// The same of what one page for all materials left out before: parts that are shared, and numbers.
+/// Adds to the report what one page for all materials left out before: parts that are shared, and numbers.
 void account_of_parts(const OnePage& of, const PackDecision& decision, PackResult& report);
 
 /// Where the texels of a scene's material lie: its page, and each of its boxes on it.

@@ -98,7 +98,7 @@ struct PackTotals {
   std::optional<TextureTotals> scene;  // what scene.gltf reads, where one was written
 
   static TextureTotals all(const std::vector<RoleTotals>& roles);
-  /// Those of material roles alone: in the output the pair's pages, which is what an engine loads that reads
+  /// The totals of material roles alone: in the output the pair's pages, which is what an engine loads that reads
   /// layout.json.
   static TextureTotals of_materials(const std::vector<RoleTotals>& roles);
   friend bool operator==(const PackTotals&, const PackTotals&) = default;

@@ -106,7 +106,7 @@ void PlaneRows::convert_space(const Sample* in, std::size_t texels, int step, fl
   source_->space(floats_.data(), texels);
   rows_.resize(3 * texels);
   const LinearTables& tables = linear_tables();
-  // What rounds to 0 and to 255 is inside: half a code at either end, which is linear at the lower one.
+  // Values that round to 0 and to 255 are inside: half a code at either end, which is linear at the lower one.
   constexpr float lowest = -0.5f / 255 / 12.92f, highest = 1.00447f;
   for (std::size_t i = 0; i < floats_.size(); ++i) {
     const float linear = floats_[i];

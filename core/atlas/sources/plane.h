@@ -25,10 +25,10 @@ struct CodeCurve {
   std::function<double(double)> apply;
   std::function<double(double)> apply_float;  // for files of floats, whose colours are linear by themselves
 
-  /// Of colours: linear light from the numbers, for outputs of floats. Empty: they are sRGB-encoded.
+  /// Linear light from the numbers of colours, for outputs of floats. Empty: they are sRGB-encoded.
   std::function<double(double)> linear, linear_float;
 
-  /// Of files of `bits` (8 or 16): the output code of every input code, and whether it had to be clamped.
+  /// The output code of every input code of files of `bits` (8 or 16), and whether it had to be clamped.
   std::vector<std::uint8_t> codes(int bits, std::vector<bool>* clamped = nullptr) const;
 };
 

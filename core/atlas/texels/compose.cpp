@@ -229,7 +229,7 @@ bool Composer::mips_in_place(std::size_t region, const PlannedPlace& at, int lev
   return true;
 }
 
-// The same of any region, by way of pictures of its own.
+// Makes the mips of any region, by way of pictures of its own.
 void Composer::mips_by_copy(std::size_t region, const PlannedPlace& at, int levels, PagePixels& pixels) {
   const Region& of = regions_[region];
   const PackInput& m = materials_[of.material];

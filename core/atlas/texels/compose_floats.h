@@ -18,7 +18,7 @@ struct FloatPage {
   PixelsViewOf<float> view(Texture texture, int level);
 };
 
-/// The same places, gutters and mips as Composer gives the 8-bit pages, from the numbers of the files.
+/// A page of floats from the numbers of the files, with the places, gutters and mips that Composer gives pages of 8 bits.
 FloatPage compose_floats(int page, int levels, const std::vector<PackInput>& materials,
                          const std::vector<Region>& regions, const PackingPlan& plan,
                          const ComposeOptions& options);

@@ -72,7 +72,7 @@ void clamp_levels(std::vector<Pixels<Value>>& levels, PixelBox inside, const Wra
   }
 }
 
-/// What a part is taken from.
+/// The material and the pictures that a part is taken from.
 ///   whole     the pictures of its material
 ///   normals   of the same size; null: none, or not needed
 template <class Pair>

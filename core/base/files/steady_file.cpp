@@ -74,7 +74,7 @@ void SteadyFile::check_unchanged() const {
   if (size_now != size())
     throw Error::at(path_, "changed while it was read, found " + bytes(size_now), bytes(size()));
   if (stamp(now) != stamp_) throw Error::at(path_, "changed while it was read", "a file that stays as it is");
-  // What came from a pipe has no name of its own.
+  // Bytes that came from a pipe have no name of their own.
   if (is_pipe_input(path_)) return;
   if (const FileStamp named = stamp_of(path_); named.device != stamp_.device || named.inode != stamp_.inode)
     throw Error::at(path_, "was replaced while it was read", "a file that stays as it is");

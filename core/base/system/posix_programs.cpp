@@ -208,8 +208,8 @@ bool run_program(const std::vector<std::string>& words, const std::vector<std::s
 }
 
 void* open_library(const std::string& path) {
-  // What the library itself calls is found now, because it is linked so. Of the hundreds of libraries behind it most
-  // functions are never called.
+  // The functions that the library itself calls are found now, because it is linked so. Most functions of the hundreds of
+  // libraries behind it are never called.
   return ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
 }
 

@@ -391,7 +391,7 @@ class Shaders {
         if (each.source.empty()) continue;
         const auto source = prims_.by_path.find(each.source);
         if (source != prims_.by_path.end()) {
-          // What a material shows comes from the shaders in it, which may read the material's own inputs.
+          // The outputs of a material come from the shaders in it, which may read the material's own inputs.
           if (!each.name.starts_with("outputs:")) node.reads.push_back(source->second);
         } else {
           throw Error::at_line(

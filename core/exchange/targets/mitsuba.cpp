@@ -35,7 +35,7 @@ std::string mitsuba_body(const ExportSurface& s, const EngineValues& values) {
   if (!smooth) out += "    <string name=\"distribution\" value=\"ggx\"/>\n" + real("alpha", s.gloss.alpha());
   out += "  </bsdf>\n";
   if (s.opacity == 1) return out;
-  // What is partly there is a mask around it, which then has the name.
+  // A surface that is partly there stands in a mask, which then has the name.
   const std::string id = " id=\"" + identifier(s.node_name()) + "\"";
   out.erase(out.find(id), id.size());
   return "  <bsdf type=\"mask\"" + id + ">\n" + real("opacity", s.opacity) + out + "  </bsdf>\n";

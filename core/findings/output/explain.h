@@ -13,7 +13,7 @@ namespace etak {
 ///   columns   width of the lines in characters, at most 100; 0: 100
 std::string explanation(const Rule& rule, std::size_t columns = 0);
 
-/// The same in Markdown, under a heading.
+/// The explanation in Markdown, under a heading.
 std::string explanation_markdown(const Rule& rule);
 
 /// A table of all rules, a line for each: id, slug, severity in the default and strict profile, title.

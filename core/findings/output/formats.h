@@ -52,7 +52,7 @@ Severity worst_of(const CheckedFile& file);
 
 /// Where a finding lies: `crate_spec.png:tile "hinge" [812,64 96x40]`, `wood.json#/datasets/0/n`.
 std::string place_of(const Finding& finding);
-/// The same with `file` as the name of the file.
+/// The place of a finding with `file` as the name of the file.
 std::string place_of(const Finding& finding, const std::string& file);
 
 /// The message of a finding with its cause, on one line without a full stop at its end.
@@ -92,7 +92,7 @@ std::string validation_csv(const ValidationReport& report);
 /// {"schema": "etak-validation/1", ...} as resources/schema/validation.schema.json describes.
 std::string validation_json(const ValidationReport& report, const OutputOptions& options);
 
-/// The same for the calling program itself, in two parts because a report may be large: all but "files", and the
+/// The JSON for the calling program itself, in two parts because a report may be large: all but "files", and the
 /// array of files. Names of files are as the user typed them; a text that is no UTF-8 is an array of its bytes,
 /// infinity and NaN are words ("inf", "-inf", "nan"), and each finding has its place_of() and sentence_of().
 std::string validation_head_json(const ValidationReport& report, const OutputOptions& options);

@@ -91,7 +91,7 @@ class JsonWriter {
   Json json(const std::vector<Value>& values) const {
     return list(values);
   }
-  // What a program that has called is told of a finding besides.
+  // The finding with the members that only a program that has called is told.
   Json json(const Finding& finding) const {
     JsonWriter inner(reader_);
     members(inner, finding);
@@ -129,8 +129,8 @@ std::string no_digest() {
   return std::string(64, '0');
 }
 
-// What merged_report() needs besides the files. Of the first shard also what belongs to no group of files:
-// folders as typed, and what was not opened.
+// The members that merged_report() needs besides the files. The first shard also holds what belongs to no group of files:
+// folders as typed, and files that were not opened.
 Json shard_json(const ValidationReport& report) {
   const ReportShard& shard = *report.shard;
   const auto [first, last] = shard.shard.items.value_or(std::pair(std::size_t{0}, shard.groups));

@@ -44,7 +44,7 @@ std::string place_of(const Finding& finding, const std::string& file) {
   if (finding.box)
     out += " [" + std::to_string(finding.box->x) + ',' + std::to_string(finding.box->y) + ' ' +
            std::to_string(finding.box->width) + 'x' + std::to_string(finding.box->height) + ']';
-  // Of a page the place in the material's own textures, where it can be mended.
+  // For a finding on a page the place in the material's own textures, where it can be mended.
   if (!finding.tile.empty() && finding.uv) {
     const UvBox& uv = *finding.uv;
     out += " (UV " + number(uv[0], 3) + ' ' + number(uv[1], 3) + " to " + number(uv[2], 3) + ' ' +

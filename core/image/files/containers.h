@@ -41,7 +41,7 @@ std::vector<TextureLevel> texture_levels(std::span<const ConstPixelsView8> level
 ///   zstd_level   0: no supercompression; 1..22: Zstandard, an Error where has_zstd() is false
 void write_ktx2(std::span<const TextureLevel> levels, const BlockFormat* blocks, bool srgb, int zstd_level,
                 const FileSink& sink);
-/// The same of RGBA8.
+/// Writes levels of RGBA8 as KTX2.
 void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink);
 /// Whether etak was built with Zstandard.
 bool has_zstd();
@@ -59,7 +59,7 @@ enum class DdsHeader { dx10, legacy };
 ///                  false: the alpha mode is "straight". Only DX10 headers have an alpha mode
 void write_dds(std::span<const TextureLevel> levels, const BlockFormat* blocks, bool srgb, bool custom_alpha,
                const FileSink& sink);
-/// The same of RGBA8.
+/// Writes levels of RGBA8 as DDS.
 void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
                const FileSink& sink);
 

@@ -38,7 +38,7 @@ class PngReader {
   ///   path      names the file in messages
   ///   returns   nullopt for a file that is no PNG, or that has one of the other forms
   static std::optional<PngReader> open(std::string_view bytes, std::string_view path);
-  /// The same for a file that is read while its rows are asked for; `file` must outlive the reader.
+  /// Opens a file that is read while its rows are asked for; `file` must outlive the reader.
   static std::optional<PngReader> open(ByteSource& file, std::string_view path);
   PngReader(PngReader&&) noexcept;
   PngReader& operator=(PngReader&&) noexcept;

@@ -219,7 +219,7 @@ void PngReader::State::finish() {
 }
 
 void PngReader::State::finish_chunks() {
-  // Of the image data, only empty chunks may be left.
+  // Only empty chunks of image data may be left.
   while (!idat_over) {
     if (idat_taken < idat.size) fail("image data goes on behind its end");
     end_idat();

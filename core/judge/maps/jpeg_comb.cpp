@@ -67,7 +67,7 @@ JpegComb JpegCombSearch::comb_of(const Grid& grid) {
     double best = 0, best_count = 0;
     int best_step = 0;
     for (int step = least_step; step <= most_step; ++step) {
-      // What was rounded to 0 says nothing: everything small is near 0.
+      // Values that were rounded to 0 say nothing: everything small is near 0.
       const int first = bins_a_code * step / 2 + 1;
       double agreement = 0, count = 0;
       for (int i = first; i <= bins_a_code * most_code; ++i) {
@@ -78,7 +78,7 @@ JpegComb JpegCombSearch::comb_of(const Grid& grid) {
         count += both;
         agreement += both * std::cos(2 * std::numbers::pi * i / (bins_a_code * step));
       }
-      // Of a step and its divisors, which fit as well, the largest.
+      // The largest step is taken: its divisors fit as well.
       if (count < least_count || agreement / count < best - 0.02) continue;
       best = std::max(best, agreement / count);
       best_count = count;

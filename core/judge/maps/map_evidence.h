@@ -29,7 +29,7 @@ struct PairSums {
   }
   /// Correlation, -1 to 1, of the deviations from the means; 0 where one of them does not vary.
   double correlation() const;
-  /// The same of the quantities themselves, for slopes that are 0 on the whole.
+  /// The correlation of the quantities themselves, for slopes that are 0 on the whole.
   double correlation_about_zero() const;
   /// Slope of y over x, and how many of its standard errors it is away from 0; 0 where x does not vary.
   double slope() const;

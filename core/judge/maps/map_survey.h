@@ -32,7 +32,7 @@ struct BesideNormals {
 /// Of the evidence, what the texels tell is filled in.
 MapEvidence survey_normals(RowSource& normals, const BesideNormals& beside);
 
-/// The same of an occlusion map (its first channel) or an emissive map (the largest of its colours).
+/// Surveys an occlusion map (its first channel) or an emissive map (the largest of its colours).
 ///   alpha   the base colour beside an emissive map, of its size; null: none
 MapEvidence survey_grey(RowSource& map, FileRole role, RowSource* alpha);
 

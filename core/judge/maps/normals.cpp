@@ -88,8 +88,8 @@ std::int32_t component_at(const std::uint8_t* rgba, std::size_t i, unsigned chan
   return 2 * static_cast<std::int32_t>(texel >> 8 * byte & 255) - unit_length;
 }
 
-// What adds to the facts in the same way for every texel: loops of whole numbers without a branch, of which
-// compilers make vector code. Squares are made by floats, which hold them exactly, because not every
+// Adds the facts that every texel adds to in one way: loops of whole numbers without a branch, of which compilers make
+// vector code. Squares are made by floats, which hold them exactly, because not every
 // processor multiplies vectors of whole numbers.
 void add_lengths(NormalFacts& facts, const std::uint8_t* rgba, std::size_t width) {
   constexpr auto least_length = static_cast<std::int32_t>(least_unit),

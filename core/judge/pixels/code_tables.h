@@ -12,7 +12,7 @@ namespace etak {
 double decode_of(TextureTransfer transfer, double encoded);
 double encode_of(TextureTransfer transfer, double linear);
 
-/// What the rounding to a code takes from a value or adds to it at most. The zone's limits lie so much further in,
+/// The most that the rounding to a code takes from a value or adds to it. The zone's limits lie so much further in,
 /// so that a value on a limit is not in the zone on whichever side its code has fallen.
 inline constexpr double half_a_code = 0.5;
 

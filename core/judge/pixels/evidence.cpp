@@ -40,7 +40,7 @@ void ByteCounts::add(const ByteCounts& o) {
       energy_box.width = std::max(a.x + a.width, b.x + b.width) - energy_box.x;
       energy_box.height = std::max(a.y + a.height, b.y + b.height) - energy_box.y;
     }
-    // Of equal sums the upper, then the left one is kept, so that the number of workers does not matter.
+    // Among equal sums the upper, then the left one is kept, so that the number of workers does not matter.
     const bool earlier = o.energy_place[1] < energy_place[1] ||
                          (o.energy_place[1] == energy_place[1] && o.energy_place[0] < energy_place[0]);
     if (o.energy_worst > energy_worst || (o.energy_worst == energy_worst && earlier)) {

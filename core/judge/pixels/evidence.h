@@ -80,7 +80,7 @@ DarkValues dark_values(const std::array<Histogram, 4>& picture);
 /// A metallic value between these is neither metal nor dielectric (ETK101, ETK113): glTF 2.0 and Filament ask
 /// for values close to 0 or 1. Metals begin at `metal_from`.
 inline constexpr double half_metal_above = 0.1, metal_from = 0.9;
-/// The same as codes: the first above 25.5, and the first from 229.5 on.
+/// The two limits as codes: the first above 25.5, and the first from 229.5 on.
 inline constexpr std::uint8_t half_metal_first_code = 26, metal_first_code = 230;
 
 /// Everything that the pass over the pixels has found in a tile.

@@ -57,7 +57,7 @@ class TilePass {
   /// Row y of the picture; `row` lies at the tile's left edge.
   void count_row(unsigned worker, int y, const RowPointers& row);
 
-  /// The same row, after it was counted; y ascends. `rows` gives rows of the picture at the tile's left edge.
+  /// Follows a row of the picture that was counted; y ascends. `rows` gives rows of the picture at the tile's left edge.
   void follow_row(int y, const std::function<RowPointers(int)>& rows);
 
   /// The evidence, after the last row.

@@ -10,7 +10,7 @@ namespace etak {
 
 namespace {
 
-// By how much the nearest n and k miss an F82, in the worst channel.
+// How far the nearest n and k are from an F82, in the worst channel.
 double missed(const LinearRgb& f0, const LinearRgb& f82) {
   double worst = 0;
   const auto a = vec(f0), b = vec(f82);

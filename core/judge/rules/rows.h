@@ -21,7 +21,7 @@ inline bool is_middle_grey(const std::array<int, 3>& codes) {
 /// The kinds of pictures that a project sets limits for.
 enum class PictureClass { colour, normal, data };
 
-/// Of gloss, height and occlusion, too, the eye sees less detail than of colours.
+/// The eye sees less detail of gloss, height and occlusion, too, than of colours.
 inline PictureClass picture_class(FileRole role) {
   if (role == FileRole::normal) return PictureClass::normal;
   return traits(role).data || role == FileRole::gloss || role == FileRole::height ||

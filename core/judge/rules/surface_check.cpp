@@ -78,7 +78,7 @@ bool is_what_it_is_called(const KnownMaterials& known, const DocumentSurface& su
 
 bool is_as_measured(const KnownMaterials& known, const DocumentSurface& surface) {
   const DocumentValues values = values_of(surface);
-  // What a film shows is not told by the F0 of its base.
+  // The colour that a film shows is not told by the F0 of its base.
   if (!values.f0) return values.film_nm.has_value();
   if (!is_what_it_is_called(known, surface, *values.f0)) return false;
   if (values.sort == SurfaceSort::metal) return true;

@@ -22,7 +22,7 @@ void count_samples(const Spectrum& table, Coverage& coverage) {
   }
 }
 
-// Both are ascending.
+// Adds wavelengths to knots; both are ascending.
 void merge(std::span<const double> more, std::vector<double>& knots) {
   const auto middle = knots.insert(knots.end(), more.begin(), more.end());
   std::inplace_merge(knots.begin(), middle, knots.end());

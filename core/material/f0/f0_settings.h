@@ -43,7 +43,7 @@ F0Options f0_options(const F0Settings& settings, const LibraryWhenAsked& library
 /// its k counts, that of another of its datasets where its own has none ("1.5", "pmma", "water:2mm"). Throws Error that names the setting.
 Coat coat_setting(const std::string& text, const LibraryWhenAsked& library);
 
-/// The same for a text that may be empty. Throws Error beside an average over axes or an instrument too, and where the method
+/// The coat for a text that may be empty. Throws Error beside an average over axes or an instrument too, and where the method
 /// is no sum over wavelengths.
 std::optional<Coat> coat_option(const std::string& text, const LibraryWhenAsked& library,
                                 const F0Options& options, bool axis_average);

@@ -51,7 +51,7 @@ std::string told_band(const F0Row& row) {
   return row.band ? ": " + words(*row.band) : "";
 }
 
-// What the material reflects on average.
+// The share that the material reflects on average.
 std::string told_mean(const F0Row& row) {
   if (!row.result.mean) return {};
   const auto text = [](const LinearRgb& c) {

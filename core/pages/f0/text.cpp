@@ -88,7 +88,7 @@ std::string integration_text(const IntegrationStep& step) {
   return step.within_bound ? out : out + ", above the bound";
 }
 
-// Which of the columns that only some tables have are there.
+// The columns that only some tables have, and whether they are there.
 struct Extra {
   bool integration = false, kind = false, band = false;
 };

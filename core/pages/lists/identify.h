@@ -54,8 +54,8 @@ struct IdentifiedThickness {
   std::string input, stack;
   SpectrumFit fit;
 };
-/// Of a table of reflectance in a file. Throws Error for a stack without one unknown thickness, for a file without
-/// reflectance, and as thickness_of_spectrum() does.
+/// The thickness that a table of reflectance in a file tells. Throws Error for a stack without one unknown thickness, for
+/// a file without reflectance, and as thickness_of_spectrum() does.
 IdentifiedThickness identified_thickness(const std::string& file, const std::string& stack,
                                          const MaterialLibrary& library, const F0Solver& solver);
 std::string identify_text(const IdentifiedThickness& answer);

@@ -237,7 +237,7 @@ void add_row(const Model& model, const std::vector<double>& values, AmbientTable
         numbers[at] = (numbers[at - 3] + numbers[at + 3]) / 2;
 }
 
-// What a table depends on.
+// The values of a scene's surface that a table depends on.
 struct Surface {
   const Model *specular, *diffuse;
   std::vector<double> specular_values, diffuse_values;

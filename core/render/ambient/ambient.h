@@ -50,7 +50,8 @@ std::shared_ptr<const AmbientTable> ambient_table(const Scene& scene, const Text
 /// A refined scene without textures whose lobe is wide, with the bright part of its environment as lights; other scenes as they are.
 Scene with_bright_lights(const Scene& scene, const Environment* environment, unsigned threads);
 
-/// What of a surface its light from all around cannot follow, as a sentence; empty: nothing, or there is no such light.
+/// The values of a surface that its light from all around cannot follow, as a sentence; empty: none, or there is no such
+/// light.
 std::string ambient_remark(const Scene& scene, const Textured& textured);
 
 }  // namespace etak

@@ -22,7 +22,7 @@ double smith(double c, double alpha) {
   return std::sqrt(alpha * alpha + (1 - alpha * alpha) * c * c);
 }
 
-// By half vectors that are spread as D nh.
+// Scale and bias by half vectors that are spread as D nh.
 //   karis   Schlick's masking with k = alpha / 2 in place of Smith's, height-correlated
 ScaleBias scale_bias(double nv, double alpha, bool karis) {
   constexpr int heights = 96, azimuths = 24;

@@ -14,7 +14,7 @@ namespace etak {
 namespace {
 
 constexpr int map_width = 1024, sharpest_width = 512;
-// What is brighter than this, over the mean luminance, is bright.
+// A texel is bright where its luminance is more than so many times the mean.
 constexpr double bright_above = 4;
 
 // The bright part of a map, as lights of equal luminance: places of a lattice in the integral of its luminance.

@@ -65,7 +65,7 @@ std::vector<CellPoint> cell_points(const LobeDensity& density, std::vector<int>&
 }
 
 double level_of_mean(double cosine) {
-  // Of round lobes whose exponent is above 16, within 0.01 of a level.
+  // The level of the mean of round lobes whose exponent is above 16, within 0.01 of a level.
   const double exponent = 4 / std::max(1 - cosine, 1e-9) - 6.5;
   return std::clamp((12 - std::log2(std::max(exponent, 1.0))) / 1.5, sharpest_sample, dullest_sample);
 }

@@ -62,7 +62,7 @@ class GlRunner {
   struct FrameTime {
     double least_ms = 0, median_ms = 0;  // from the call until OpenGL has finished
     double compile_ms = 0;               // of the first frame, for which the shaders are compiled
-    // By OpenGL's own clock; nullopt where it has none. See render().
+    // Times by OpenGL's own clock; nullopt where it has none. See render().
     std::optional<double> gpu_least_ms, gpu_median_ms;
   };
 

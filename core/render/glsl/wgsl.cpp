@@ -103,7 +103,7 @@ class Expressions : protected Tokens {
     throw Error::at("WGSL", "a call of " + name + " that fits no function");
   }
 
-  // By the rank of their operators.
+  // Expressions are taken apart by the rank of their operators.
   Expression expression() {
     Expression test = binary(0);
     if (!took("?")) return test;

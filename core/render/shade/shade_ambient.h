@@ -39,7 +39,7 @@ class AmbientNode {
     const vec3 low = in_row(numbers, first_);
     return rows_ == 1 ? low : mix(low, in_row(numbers, first_ + row_), up_);
   }
-  // Of numbers that have one row for all glosses.
+  // The value at the view of numbers that have one row for all glosses.
   vec3 of_view(const std::vector<float>& numbers) const { return in_row(numbers, column_); }
 
  private:

@@ -93,7 +93,7 @@ struct Shading {
 
   // Whether the background is seen through the object, and whether the object may get stripes.
   bool clear() const { return (textured || scene.surface.opacity < 1) && !clear_ball; }
-  // What the diffuse part is multiplied by: that of a texel holds its opacity already.
+  // The factor of the diffuse part: the diffuse colour of a texel holds its opacity already.
   real opacity() const { return textured ? real(1) : real(scene.surface.opacity); }
   bool marked() const { return scene.mark_zone || scene.mark_angles || !scene.mark_energy.empty(); }
 };

@@ -363,7 +363,7 @@ Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const 
   }
 
   const PictureDifference together = judge.picture(chosen);
-  // What can be reached is what the form reaches without luck: the other choices may make up for its error.
+  // The error that can be reached is that of the form without luck: the other choices may make up for its error.
   out.picture_error = out.met ? together.worst : std::max(together.worst, fresnel.picture);
   out.picture_mean = together.mean;
   describe_model(judge, chosen.values, out);

@@ -272,7 +272,7 @@ void add_cpu_tables(const Gallery& gallery, const ReportOptions& options, ErrorT
   for (std::size_t m = 0; m < count; ++m) {
     const Model& model = *gallery.models()[m];
     if (!follows_gloss(model)) continue;
-    // Of models that differ in F alone only the first is shown.
+    // Only the first of the models that differ in F alone is shown.
     if (model.distribution != nullptr && !seen_lobes.insert(&lobe_model(model)).second) continue;
     table.rows.push_back(
         row_of(model, gallery.pooled(errors[m], &ModelErrors::full, [](bool) { return true; })));

@@ -94,7 +94,7 @@ std::string steps_taken(std::span<const F0Result> results) {
 using Samples = std::shared_ptr<const std::vector<Sample>>;
 
 TimedCase timed(const Way& way, const Samples& all) {
-  // Of many samples some are enough, and a round then takes a fraction of the time.
+  // Some of many samples are enough, and a round then takes a fraction of the time.
   constexpr std::size_t most = 100;
   auto samples = std::make_shared<std::vector<Sample>>();
   const std::size_t step = (all->size() + most - 1) / most;

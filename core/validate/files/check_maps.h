@@ -18,7 +18,7 @@ bool is_map_set(const CheckTarget& target);
 /// Error for a file that cannot be read.
 std::vector<MapEvidence> maps_of(const CheckTarget& target, const PictureDoor& door);
 
-/// The same of the normal maps that a scene's used materials read, each image once.
+/// The evidence of the normal maps that a scene's used materials read, each image once.
 ///   label_of   of an image, for reports
 std::vector<MapEvidence> normal_maps_of(const GltfScene& scene, const PictureDoor& door,
                                         const std::function<std::string(int image)>& label_of);

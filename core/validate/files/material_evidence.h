@@ -12,12 +12,11 @@ namespace etak {
 /// The evidence of a material: its datasets, and the F0 computed from the preferred one.
 MaterialEvidence evidence_of_material(const Material& material);
 
-/// The same of a material file. A file that the strict reader refuses (ETK611) is read once more leniently
+/// The evidence of a material file. A file that the strict reader refuses (ETK611) is read once more leniently
 /// for its numbers, so that a misspelt key does not hide a wrong table.
 MaterialEvidence evidence_of_material(std::string_view text, const std::string& label);
 
-/// The same of a page of refractiveindex.info (.yml) or of a table (.csv, .txt). Throws Error for other
-/// texts.
+/// The evidence of a page of refractiveindex.info (.yml) or of a table (.csv, .txt). Throws Error for other texts.
 MaterialEvidence evidence_of_spectrum(std::string_view text, const std::string& path,
                                       const std::string& label);
 

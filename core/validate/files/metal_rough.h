@@ -18,7 +18,7 @@ namespace etak {
 /// The pictures of a scene, loaded when they are first needed; of PNG the header alone where that is enough.
 class ScenePictures {
  public:
-  /// Both must outlive this object.
+  /// Images and door must outlive this object.
   ScenePictures(const std::vector<PictureFile>& images, const PictureDoor& door);
   const Image8& codes(int image);
   const PictureHeader& header(int image);

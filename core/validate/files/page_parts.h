@@ -9,7 +9,7 @@ struct Evidence;
 
 // Materials whose parts lie apart on a page (Manifest::parts), as etak pack --goal one-page lays them.
 
-/// Both pictures of such a material, put together from its regions of the page's files. Throws Error for a page that
+/// Both pictures of a material whose parts lie apart, put together from its regions of the page's files. Throws Error for a page that
 /// does not hold a region.
 LoadedPictures put_together(const CheckTarget& target, const PictureOpener& open);
 

@@ -25,7 +25,7 @@ bool has_limit(std::string_view rule, const Settings& settings);
 PictureLook look_at_picture(const PictureFile& file, FileRole role, std::array<bool, 2> tiles,
                             LooksWanted wanted, const PictureDoor& door);
 
-/// Those of a target's pictures that are not judged as tiles of pages.
+/// Looks at those of a target's pictures that are not judged as tiles of pages.
 void look_at_pictures(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                       Evidence& evidence);
 

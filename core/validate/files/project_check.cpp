@@ -118,7 +118,7 @@ Material used_record(const MeasuredF0& measured, const MaterialLibrary& library)
   return std::move(*record);
 }
 
-// What is found about other datasets than the one in use is left out.
+// Checks the record of a measured material. Findings about other datasets than the one in use are left out.
 //   layers   of the F0 that the material takes from it
 CheckedFile check_record(const MeasuredF0& measured, const MaterialLibrary& library,
                          const std::string& layers, const Settings& settings) {

@@ -61,7 +61,7 @@ struct InRegion {
   double area = 0;
 };
 
-// By region. Boxes of regions may overlap: what lies in several whole counts for the smallest.
+// What lies in each region. Boxes of regions may overlap: a part that lies in several whole counts for the smallest.
 std::vector<InRegion> in_regions(const std::vector<FoundPart>& parts, const std::vector<AtlasRect>& rects) {
   std::vector<InRegion> out;
   for (std::size_t r = 0; r < rects.size(); ++r) out.push_back({r, {}, 0});
@@ -142,7 +142,7 @@ void SceneOnPages::start(const AtlasLayout& layout) {
   for (const AtlasPage& page : layout.pages) {
     auto& labels = page_labels_.emplace_back();
     for (std::size_t t = 0; t < labels.size(); ++t) {
-      // Of one that the page does without the other's file speaks.
+      // The file of the other texture speaks for a texture that the page does without.
       const auto& files = page.files[page.files[t].empty() ? 1 - t : t];
       labels[t] = files.empty() ? label_ : (folder / files.front()).generic_string();
     }

@@ -47,9 +47,9 @@ class SceneOnPages {
   /// headers.
   void judge(int page, const PagePixels* pixels, const Settings& settings, unsigned threads);
 
-  /// Of the scene that is packed.
+  /// The path of the scene that is packed.
   const std::string& path() const { return of_scene_.path; }
-  /// What was found since start().
+  /// The findings since start().
   const CheckedFile& found() const { return file_; }
 
  private:

@@ -33,7 +33,7 @@ class MaterialLooks {
 /// be evaluated, constants instead of textures.
 std::vector<std::uint8_t> texels_in_use(const MaterialUses& uses, const std::vector<int>& materials,
                                         int width, int height);
-/// The same of uses that are known, of pictures of one size; null: not known.
+/// 1 for every texel that one of these uses reads, in pictures of one size; null: a use that is not known.
 std::vector<std::uint8_t> texels_in_use(std::span<const TexelUse* const> uses);
 
 /// Hides the texels that are not in use from the rules by an alpha of 0. Beside visible texels they also get

@@ -133,7 +133,7 @@ class Documents {
       found.depends.insert(found.depends.end(), files.all.begin(), files.all.end());
     }
     if (role == FileRole::surfaces) try {
-        // What is wrong with it is told by its check.
+        // The check of the document tells what is wrong with it.
         (void)surfaces_of_document(path, path, &found.depends);
       } catch (const Error&) {
       }

@@ -18,7 +18,7 @@ namespace etak {
 // The steps of find_targets(): search() gives the files that the request names, take_documents() makes targets of
 // layouts, scenes, materials and spectra, take_pictures() of the pictures that belong to none of these.
 
-/// What the steps have in common: the request, how files are labelled, and what was found so far.
+/// The state that the steps of a search have in common: the request, how files are labelled, and what was found so far.
 struct Finds {
   explicit Finds(ValidationRequest& of) : request(of), reader(of.config.names), namer(of.config, reader) {}
 

@@ -15,7 +15,7 @@ namespace etak {
 /// files of one folder mostly come one after the other: each thread has one of its own.
 class PictureNamer {
  public:
-  /// Both must live longer.
+  /// Configuration and reader must outlive this object.
   PictureNamer(const ValidateConfig& config, const NameReader& reader) : config_(config), reader_(reader) {}
 
   /// How reports call a file: relative to the root of the run.

@@ -84,7 +84,7 @@ RepairOutcome bleed_hidden(const RepairBench& bench) {
   const HiddenTexels hidden(*a);
   bleed_colour(*a, hidden, bench.settings.transfer);
   repeat_edge(*a, hidden, 0, a->colour_channels());
-  // What filtering mixes is base colour and metallic, each by itself; the rule sees the diffuse colour of both.
+  // Filtering mixes base colour and metallic, each by itself; the rule sees the diffuse colour of both.
   RepairPicture* metal = bench.with_role({FileRole::metallic, FileRole::metal_rough});
   if (metal != nullptr && metal->codes.width == a->codes.width && metal->codes.height == a->codes.height) {
     const auto [first, last] = metallic_channels(*metal);

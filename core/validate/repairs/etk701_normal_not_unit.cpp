@@ -58,7 +58,7 @@ RepairOutcome make_unit(const RepairBench& bench) {
 }  // namespace
 
 constinit const Repair repair_etk701{"ETK701", &make_unit};
-// What shrinking took from the lengths comes back by the same; what it took from the relief does not.
+// The lengths that shrinking took come back by this repair too; the relief that it took does not.
 constinit const Repair repair_etk706{"ETK706", &make_unit};
 
 }  // namespace etak

@@ -49,7 +49,7 @@ struct RepairPicture {
   void put_through(const std::function<double(double)>& curve);
 };
 
-/// What a repair works on.
+/// The files and the finding that a repair works on.
 ///   pictures   those files of the target that are pictures of codes
 ///   finding    that it is to undo
 ///   seen()     the pictures as the rules see them, in 8 bits and of one size

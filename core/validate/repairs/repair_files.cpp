@@ -86,7 +86,7 @@ PngWithChunks file_of(const RepairPicture& picture, const std::string& original,
   return {made, {}};
 }
 
-// What a copy lacks that its original has, besides chunks.
+// The traits that a copy lacks and its original has, besides chunks.
 std::vector<std::string> losses(const RepairPicture& picture, const std::string& original) {
   std::vector<std::string> out;
   BytesInMemory bytes(original);
@@ -258,7 +258,7 @@ class TargetRepair {
     findings_ = std::move(checked.findings);
   }
 
-  // What could not be checked, because a file or memory has gone meanwhile, says nothing of the repair.
+  // A target that could not be checked, because a file or memory has gone meanwhile, says nothing of the repair.
   [[noreturn]] static void fail_unchecked(const CheckedFile& checked) {
     const auto found =
         std::ranges::find_if(checked.findings, [](const Finding& each) { return is_of_the_tool(each.rule); });
@@ -276,7 +276,7 @@ class TargetRepair {
     }
   }
 
-  // The other rules that found something before, and do not after a repair.
+  // The rules besides that of the finding that found something before a repair, and do not after it.
   std::vector<std::string> gone_with(const Finding& finding, const std::vector<Finding>& after) const {
     std::set<std::string> gone;
     for (const Finding& before : findings_)

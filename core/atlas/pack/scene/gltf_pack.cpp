@@ -237,7 +237,7 @@ void learn(SceneRead& read, std::size_t i, const Decoded& pictures) {
   in.convert = [shared = entry.pair](std::vector<std::string>&) { return *shared; };
 }
 
-// Which pictures can do with less than their files. Only forms of PNG that are read row by row are looked at
+// Finds the pictures that can do with less than their files. Only forms of PNG that are read row by row are looked at
 // for their colours: of others the first texel would take the whole picture.
 void find_light_pictures(SceneRead& read) {
   const GltfScene& scene = read.scene;

@@ -29,7 +29,7 @@ struct SceneOutput {
   ImageList images;
   Others others;
 
-  /// What the pictures take.
+  /// The files and bytes that the pictures take.
   TextureTotals totals(const PackDecision& decision) const;
 
  private:

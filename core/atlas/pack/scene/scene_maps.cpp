@@ -146,7 +146,7 @@ struct PageOfMaps {
                             : TextureTotals{1, 0, texture_bytes({page.width, page.height, channels}, true)});
   }
 
-  // The same of occlusion in the red channel of a picture that is there anyhow.
+  // Takes occlusion off the page where it weighs no less in the red channel of a picture that is there anyhow.
   void weigh_occlusion_in(const std::string& what) {
     const TextureTotals* const with = weighed(what, &PictureSizes::files);
     const TextureTotals* const bare = weighed(what, &PictureSizes::bare);

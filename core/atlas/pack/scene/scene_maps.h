@@ -31,10 +31,10 @@ struct MaterialMaps {
   bool exact = false;
 };
 
-/// By the material (index of the inputs) that owns the texels.
+/// The maps of each material that owns texels, by its index among the inputs.
 using SceneMaps = std::map<std::size_t, MaterialMaps>;
 
-/// Which textures can be placed; of images of the same bytes the first.
+/// The textures that can be placed; among images of equal bytes the first stands for all.
 SceneMaps scene_maps(const SceneRead& read, const PackDecision& decision, Others others);
 
 /// How textures are weighed.
@@ -45,13 +45,13 @@ struct MapWeights {
   std::function<TextureTotals(int image)> kept;
 };
 
-/// Those of `maps` that are worth their place in a scene of these forms: where they would weigh no less than
+/// The textures of `maps` that are worth their place in a scene of these forms: where they would weigh no less than
 /// the textures that they replace, these stay files of their own. `exact` is kept for metal_rough alone,
 /// beside which no other form stands.
 SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, const PackDecision& decision,
                      const MapWeights& weights);
 
-/// The same with none of the textures placed that may stay as they are.
+/// The maps with none of the textures placed that may stay as they are.
 SceneMaps none_placed(SceneMaps maps);
 
 /// Level 0 of a page of such textures, gutters included.

@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::array all_forms{GltfForm::specular_ior, GltfForm::specular_glossiness, GltfForm::metal_rough};
 
-/// By Others: which of the scene's other textures may be placed.
+/// Which of the scene's other textures may be placed, for each of Others.
 using MapsOfOthers = std::array<SceneMaps, 2>;
 
 // How textures are weighed for a goal.
@@ -154,7 +154,7 @@ void refine(const SceneMaps& maps, const PackDecision& decision,
     }
 }
 
-// Those of `maps` that are placed in these forms.
+// The textures of `maps` that are placed in these forms.
 SceneMaps placed(const SceneRead& read, const MapsOfOthers& maps, const std::vector<GltfForm>& forms,
                  const PackDecision& decision, const WeightOf& weight_of, PackGoal goal) {
   const Others others = others_in(read, forms);
@@ -163,7 +163,7 @@ SceneMaps placed(const SceneRead& read, const MapsOfOthers& maps, const std::vec
                       {others, weight_of(of), [&](int image) { return read.kept_totals(image); }});
   };
   std::vector<SceneMaps> ways{by(goal)};
-  // What is lighter page by page may take more than the input in one of the two.
+  // A choice that is lighter page by page may take more than the input on the disk or on the GPU.
   if (goal == PackGoal::within) ways.insert(ways.end(), {by(PackGoal::gpu), by(PackGoal::disk)});
   // Pages were judged one by one; a texture that stays for one of them stays for all.
   ways.push_back(none_placed(ways.front()));
@@ -180,7 +180,7 @@ SceneMaps placed(const SceneRead& read, const MapsOfOthers& maps, const std::vec
   return best;
 }
 
-// The same texels as lossless WebP; empty where that is no smaller, or cannot be: 16 bits, or larger than WebP can be.
+// The texels of a PNG file as lossless WebP; empty where that is no smaller, or cannot be: 16 bits, or larger than WebP can be.
 std::string smaller_webp(std::string_view png, const std::string& label, const PictureDoor& door) {
   constexpr int most_side = 16383;
   if (!door.encode || picture_format(png.substr(0, 32), label) != "png") return {};

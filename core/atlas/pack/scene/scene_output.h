@@ -12,7 +12,7 @@
 
 namespace etak {
 
-/// What scene.gltf is to hold. Empty where none is written.
+/// The contents of scene.gltf. Empty where none is written.
 struct SceneChoice {
   std::vector<GltfForm> forms;
   SceneMaps maps;               // the scene's other textures that lie on the pages
@@ -50,7 +50,7 @@ std::set<std::string> write_page(OutputFolder& folder, const WholePage& page, co
 std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& layout, const SceneRead& read,
                                      const SceneChoice& choice, const std::set<std::string>& pictures);
 
-/// What has to be said of the scene; of its kept pictures only where something was chosen.
+/// Adds the remarks about the scene; about its kept pictures only where something was chosen.
 void add_remarks(const SceneRead& read, const SceneChoice& choice, std::vector<std::string>& remarks);
 
 }  // namespace etak

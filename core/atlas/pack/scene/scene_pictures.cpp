@@ -180,7 +180,7 @@ struct ScenePictures {
         out);
     return out;
   }
-  // Of geometry: `first` or second texture, over a texel that says nothing.
+  // The `first` or second texture of geometry, over a texel that says nothing.
   Image8 other(std::optional<int> MaterialMaps::*which, bool first, const Texel& nothing) const {
     Image8 out = mapped(in, [&](const std::uint8_t*, const std::uint8_t*) { return nothing; });
     put_maps(
