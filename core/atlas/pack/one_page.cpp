@@ -234,10 +234,7 @@ PackInput sheet_input(const Sheet& sheet, const Sharing& of, const std::vector<P
     if (lead == nullptr) lead = lenders[p], crop = lead->facts.crop;
     for (const std::size_t user : part.users) {
       const MaterialFacts& facts = materials[user].facts;
-      const int right = std::max(crop.x + crop.width, facts.crop.x + facts.crop.width),
-                bottom = std::max(crop.y + crop.height, facts.crop.y + facts.crop.height);
-      crop.x = std::min(crop.x, facts.crop.x), crop.y = std::min(crop.y, facts.crop.y);
-      crop.width = right - crop.x, crop.height = bottom - crop.y;
+      crop = around(crop, facts.crop);
       out.facts.levels =
           facts.levels == 0 || out.facts.levels == 0 ? 0 : std::max(out.facts.levels, facts.levels);
       out.facts.unseen = std::min(out.facts.unseen, facts.unseen);

@@ -31,15 +31,7 @@ CodeSteps code_steps(const Histogram& codes) {
 
 void ByteCounts::add(const ByteCounts& o) {
   if (o.energy_over != 0) {
-    if (energy_over == 0) {
-      energy_box = o.energy_box;
-    } else {
-      const PixelBox a = energy_box, b = o.energy_box;
-      energy_box.x = std::min(a.x, b.x);
-      energy_box.y = std::min(a.y, b.y);
-      energy_box.width = std::max(a.x + a.width, b.x + b.width) - energy_box.x;
-      energy_box.height = std::max(a.y + a.height, b.y + b.height) - energy_box.y;
-    }
+    energy_box = energy_over == 0 ? o.energy_box : around(energy_box, o.energy_box);
     // Among equal sums the upper, then the left one is kept, so that the number of workers does not matter.
     const bool earlier = o.energy_place[1] < energy_place[1] ||
                          (o.energy_place[1] == energy_place[1] && o.energy_place[0] < energy_place[0]);

@@ -209,13 +209,7 @@ void TilePass::count_energy(ByteCounts& counts, std::uint64_t doubt, int x0, int
     ++counts.energy_over;
     counts.energy_far_over += worst > plan_.energy_far_limit;
     const PixelBox here{box().x + x, y, 1, 1};
-    if (counts.energy_over == 1) counts.energy_box = here;
-    PixelBox& all = counts.energy_box;
-    const int right = std::max(all.x + all.width, here.x + 1), bottom = std::max(all.y + all.height, y + 1);
-    all.x = std::min(all.x, here.x);
-    all.y = std::min(all.y, y);
-    all.width = right - all.x;
-    all.height = bottom - all.y;
+    counts.energy_box = counts.energy_over == 1 ? here : around(counts.energy_box, here);
     if (worst > counts.energy_worst) {
       counts.energy_worst = worst;
       counts.energy_at = {a[channel], b[channel]};
