@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
-#include "core/base/text/ascii.h"
 #include "core/base/text/text.h"
 #include "core/exchange/table_columns.h"
 #include "core/material/limits.h"
@@ -390,65 +389,6 @@ class TableRows {
 };
 
 }  // namespace
-
-std::string_view name(WavelengthUnit unit) {
-  switch (unit) {
-    case WavelengthUnit::nanometre:
-      return "nm";
-    case WavelengthUnit::micrometre:
-      return "um";
-    case WavelengthUnit::angstrom:
-      return "A";
-    case WavelengthUnit::electronvolt:
-      return "eV";
-  }
-  return {};
-}
-
-std::optional<WavelengthUnit> wavelength_unit_named(std::string_view text) {
-  std::string folded = lower_case(text);
-  if (folded.size() > 3 && folded.back() == 's') folded.pop_back();
-  struct Named {
-    std::string_view name;
-    WavelengthUnit unit;
-  };
-  // The micro sign and the Greek letter mu; the letter with ring, the Angstrom sign, and A with a combining
-  // ring.
-  static constexpr std::array known{Named{"nm", WavelengthUnit::nanometre},
-                                    Named{"nanometre", WavelengthUnit::nanometre},
-                                    Named{"nanometer", WavelengthUnit::nanometre},
-                                    Named{"um", WavelengthUnit::micrometre},
-                                    Named{"\xC2\xB5m", WavelengthUnit::micrometre},
-                                    Named{"\xCE\xBCm", WavelengthUnit::micrometre},
-                                    Named{"micron", WavelengthUnit::micrometre},
-                                    Named{"micrometre", WavelengthUnit::micrometre},
-                                    Named{"micrometer", WavelengthUnit::micrometre},
-                                    Named{"a", WavelengthUnit::angstrom},
-                                    Named{"\xC3\x85", WavelengthUnit::angstrom},
-                                    Named{"\xE2\x84\xAB", WavelengthUnit::angstrom},
-                                    Named{"a\xCC\x8A", WavelengthUnit::angstrom},
-                                    Named{"angstrom", WavelengthUnit::angstrom},
-                                    Named{"\xC3\x85ngstr\xC3\xB6m", WavelengthUnit::angstrom},
-                                    Named{"ev", WavelengthUnit::electronvolt},
-                                    Named{"electronvolt", WavelengthUnit::electronvolt}};
-  for (const Named& unit : known)
-    if (unit.name == folded) return unit.unit;
-  return {};
-}
-
-double to_nm(double value, WavelengthUnit unit) {
-  switch (unit) {
-    case WavelengthUnit::nanometre:
-      return value;
-    case WavelengthUnit::micrometre:
-      return value * 1000;
-    case WavelengthUnit::angstrom:
-      return value / 10;
-    case WavelengthUnit::electronvolt:
-      return ev_nm / value;
-  }
-  return value;
-}
 
 Table parse_table(std::string_view text, std::string_view file, const TableOptions& options) {
   return TableRows(TableReader(text, file, options, 0).read(), file, options).table();
