@@ -16,6 +16,7 @@
 #include <QThread>
 #include <QTreeView>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -29,6 +30,7 @@
 #include "app/editor/panels/inspector/layers_section.h"
 #include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/panels/library_panel.h"
+#include "app/editor/panels/mask_dialog.h"
 #include "app/editor/panels/pack_dialog.h"
 #include "app/editor/panels/problem_strip.h"
 #include "app/editor/panels/texture_view.h"
@@ -49,10 +51,12 @@ void settle(Window& window) {
   while (all.elapsed() < most_ms) {
     QApplication::processEvents(QEventLoop::AllEvents, 20);
     const auto packing = window.findChildren<PackDialog*>();
+    const auto masking = window.findChildren<MaskDialog*>();
     if (window.is_busy() || !window.thumbnails().is_idle() || !window.validator().is_idle() ||
         window.viewport().is_refining() || window.curves().busy() || window.texture_view().is_busy() ||
         std::any_of(packing.begin(), packing.end(),
-                    [](const PackDialog* each) { return each->is_running(); }))
+                    [](const PackDialog* each) { return each->is_running(); }) ||
+        std::any_of(masking.begin(), masking.end(), [](const MaskDialog* each) { return each->is_busy(); }))
       quiet.restart();
     if (quiet.elapsed() > quiet_ms) return;
     QThread::msleep(5);
@@ -108,6 +112,31 @@ void drop_set_on(Window& window) {
   for (const char* each : {"Crate_BaseColor.png", "Crate_ORM.png", "Crate_Normal.png", "Crate_Height.png"})
     files << tiles(QLatin1String(each), grey, QColor(60, 60, 60));
   window.take_files(files);
+}
+
+// The dialog of materials by mask, with worn paint on iron.
+void mask_on(Window& window) {
+  window.use_library_material("iron");
+  edit_material(window, [](ProjectMaterial& m) { m.gloss = 0.7; });
+  ProjectMaterial paint;
+  paint.name = "Red paint";
+  paint.diffuse = {0.3, 0.02, 0.015};
+  paint.gloss = 0.6;
+  paint.alpha_mode = AlphaMode::opaque;
+  window.document().add({paint}, {}, QObject::tr("paint"));
+  QImage mask(256, 256, QImage::Format_Grayscale8);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x)
+      mask.scanLine(y)[x] = static_cast<uchar>(
+          std::clamp(128 + 90 * std::sin(x * 0.11) * std::cos(y * 0.07 + x * 0.02) + 70 * std::sin(y * 0.19),
+                     0.0, 255.0));
+  const QString file = own_files().filePath("wear.png");
+  mask.save(file);
+  auto* dialog =
+      new MaskDialog(window.document().project(), window.document().library(),
+                     {QStringLiteral("Red paint"), QStringLiteral("Iron")}, own_files().path(), &window);
+  dialog->show();
+  dialog->take_mask(file);
 }
 
 // Makes the current material one that has findings, and selects the first of them.
@@ -207,6 +236,7 @@ void show_state(Window& window, const QString& state) {
          window.inspector().ensureWidgetVisible(window.inspector().findChild<LayersSection*>());
        }},
       {"drop", [&] { drop_set_on(window); }},
+      {"mask", [&] { mask_on(window); }},
       {"near", [&] { window.library_panel().search().setText("car paint"); }},
       {"preview", [&] { emit window.library_panel().looked_at("copper"); }},
       {"findings", [&] { show_findings(window); }},

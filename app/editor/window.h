@@ -47,7 +47,7 @@ struct WindowOptions {
 /// The window of the editor: library and project on the left, viewport with tabs under it, inspector on the
 /// right, findings below. Its functions are in files by subject: window.cpp makes the panels,
 /// window_menus.cpp the menus, window_files.cpp reads and writes files, window_drops.cpp takes dropped files,
-/// window_export.cpp exports to other programs, window_recovery.cpp guards unsaved changes,
+/// window_mask.cpp makes materials by masks, window_export.cpp exports to other programs, window_recovery.cpp guards unsaved changes,
 /// window_picture.cpp updates viewport and tabs.
 class Window : public QMainWindow {
   Q_OBJECT
@@ -158,6 +158,8 @@ class Window : public QMainWindow {
   ///   fresh   makes new materials; else a single set goes onto the material in hand
   void take_sets(const DroppedPictures& dropped, bool fresh);
   void take_picture(Channel channel, const QString& file);
+  /// Asks for a mask, and makes one material of those that are marked.
+  void ask_mask();
   void take_spectra(const QStringList& files);
   void ask_open_or_add(const QString& project);
   void recover(const Recovery& recovery);

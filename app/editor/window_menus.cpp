@@ -96,6 +96,7 @@ void Window::make_edit_menu() {
          [this] { emit project_panel_->new_asked(); });
   action(menu, tr("&Duplicate materials"), QKeySequence(Qt::CTRL | Qt::Key_D),
          [this] { emit project_panel_->copy_asked(); });
+  action(menu, tr("Materials by mas&k\u2026"), QKeySequence(Qt::CTRL | Qt::Key_M), [this] { ask_mask(); });
   // The key Del works in the project panel only, because text fields need it wherever they have the focus.
   auto* remove = action(menu, tr("Re&move materials"), QKeySequence::Delete,
                         [this] { emit project_panel_->remove_asked(); });

@@ -19,10 +19,41 @@ namespace {
 constexpr const char* make = "etak-thumbnail-5";
 constexpr int most_pictures = 4000;
 
-QImage drawn(const SurfaceValues& surface, Shape shape, int side) {
+QImage thumbnail(const Thumbnails::Subject& subject, Shape shape, int side, const QString& folder) {
+  try {
+    QString file;
+    if (!folder.isEmpty()) {
+      QCryptographicHash hash(QCryptographicHash::Sha1);
+      hash.addData(QByteArray::fromStdString(make + subject.text()));
+      file = folder + QStringLiteral("/%1-%2%3.png")
+                          .arg(QString::fromLatin1(hash.result().toHex()))
+                          .arg(side)
+                          .arg(shape == Shape::quad ? "f" : QString());
+      if (QImage kept(file); !kept.isNull() && kept.width() == side) return kept;
+    }
+    const QImage out = ball_picture(subject.surface(), shape, side);
+    // A cache that cannot be written is not reported, because it only saves time.
+    if (!file.isEmpty() && QDir().mkpath(folder)) (void)save_png(out, file);
+    return out;
+  } catch (const Error&) {
+    QImage none(side, side, QImage::Format_RGB888);
+    none.fill(Qt::darkGray);
+    return none;
+  }
+}
+
+QString picture_key(const QString& key, Shape shape) {
+  return key + (shape == Shape::quad ? "|flat" : "|sphere");
+}
+
+}  // namespace
+
+QImage ball_picture(const SurfaceValues& surface, Shape shape, int side,
+                    std::shared_ptr<const SurfaceTextures> textures) {
   Scene scene;
   scene.shape = shape;
   scene.surface = surface;
+  scene.textures = std::move(textures);
   scene.width = scene.height = side;
   scene.lights = studio_lights();
   const auto environment = studio_environment(scene.lights.environment, scene.lights.environment_scale, 1);
@@ -45,35 +76,6 @@ QImage drawn(const SurfaceValues& surface, Shape shape, int side) {
   painter.drawEllipse(QPointF(side / 2.0, side / 2.0), side / 2.2, side / 2.2);
   return out;
 }
-
-QImage thumbnail(const Thumbnails::Subject& subject, Shape shape, int side, const QString& folder) {
-  try {
-    QString file;
-    if (!folder.isEmpty()) {
-      QCryptographicHash hash(QCryptographicHash::Sha1);
-      hash.addData(QByteArray::fromStdString(make + subject.text()));
-      file = folder + QStringLiteral("/%1-%2%3.png")
-                          .arg(QString::fromLatin1(hash.result().toHex()))
-                          .arg(side)
-                          .arg(shape == Shape::quad ? "f" : QString());
-      if (QImage kept(file); !kept.isNull() && kept.width() == side) return kept;
-    }
-    const QImage out = drawn(subject.surface(), shape, side);
-    // A cache that cannot be written is not reported, because it only saves time.
-    if (!file.isEmpty() && QDir().mkpath(folder)) (void)save_png(out, file);
-    return out;
-  } catch (const Error&) {
-    QImage none(side, side, QImage::Format_RGB888);
-    none.fill(Qt::darkGray);
-    return none;
-  }
-}
-
-QString picture_key(const QString& key, Shape shape) {
-  return key + (shape == Shape::quad ? "|flat" : "|sphere");
-}
-
-}  // namespace
 
 Thumbnails::Thumbnails(const QString& folder, QObject* parent)
     : QObject(parent),

@@ -7,11 +7,17 @@
 #include <QPixmap>
 #include <QSet>
 #include <functional>
+#include <memory>
 
 #include "app/viewport/background.h"
 #include "core/render/scene.h"
 
 namespace etak::editor {
+
+/// A picture of a material in the studio's light, drawn by the calling thread; of a sphere the ball alone, on nothing.
+///   textures   null: none
+QImage ball_picture(const SurfaceValues& surface, Shape shape, int side,
+                    std::shared_ptr<const SurfaceTextures> textures = nullptr);
 
 /// Small pictures of materials, which core renders on threads of their own. They are kept in memory and on
 /// disk.
