@@ -226,7 +226,7 @@ void Window::make_docks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   library_panel_ = new LibraryPanel(*thumbnails_, this);
-  project_panel_ = new ProjectPanel(document_, *thumbnails_, this);
+  project_panel_ = new ProjectPanel(document_, *thumbnails_, *validator_, this);
   inspector_ = new Inspector(document_, this);
   light_panel_ = new LightPanel(document_, this);
   view_panel_ = new ViewPanel(document_, look_, this);
@@ -267,6 +267,9 @@ void Window::connect_panels() {
           [this] { document_.remove(project_panel_->in_hand()); });
   connect(project_panel_, &ProjectPanel::picked, this, &Window::end_preview);
   connect(findings_, &FindingsPanel::go_to, this, &Window::go_to_finding);
+  connect(findings_, &FindingsPanel::fix_asked, this, &Window::fix_finding);
+  connect(findings_, &FindingsPanel::mute_asked, this, &Window::mute_finding);
+  inspector_->follow(*validator_);
   connect(inspector_, &Inspector::told, this, [this](const QString& message) {
     let_go_ = message;
     tell(message);
@@ -293,19 +296,6 @@ bool Window::use_library_material(const QString& name) {
   });
   if (!failure.isEmpty()) tell(failure);
   return failure.isEmpty();
-}
-
-void Window::go_to_finding(const QString& material, const QString& rule) {
-  end_preview();
-  const auto& list = document_.project().materials;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (list[i].name == material.toStdString()) document_.set_current(static_cast<int>(i));
-  // The panel may be closed, or behind another one.
-  auto* dock = findChild<QDockWidget*>("inspector");
-  dock->show();
-  dock->raise();
-  inspector_tabs_->setCurrentWidget(inspector_);
-  inspector_->go_to(rule.toStdString());
 }
 
 void Window::show_viewport_only(bool on) {

@@ -47,7 +47,7 @@ struct WindowOptions {
 /// The window of the editor: library and project on the left, viewport with tabs under it, inspector on the
 /// right, findings below. Its functions are in files by subject: window.cpp makes the panels,
 /// window_menus.cpp the menus, window_files.cpp reads and writes files, window_drops.cpp takes dropped files,
-/// window_mask.cpp makes materials by masks, window_export.cpp exports to other programs, window_recovery.cpp guards unsaved changes,
+/// window_findings.cpp acts on findings, window_mask.cpp makes materials by masks, window_export.cpp exports to other programs, window_recovery.cpp guards unsaved changes,
 /// window_picture.cpp updates viewport and tabs.
 class Window : public QMainWindow {
   Q_OBJECT
@@ -204,7 +204,9 @@ class Window : public QMainWindow {
   void show_curves();
   void show_patch(const PatchUnderCursor& patch);
   void drop_old_patch();
-  void go_to_finding(const QString& material, const QString& rule);
+  void go_to_finding(const Finding& finding);
+  void fix_finding(const Finding& finding);
+  void mute_finding(const Finding& finding, const QString& reason);
 
   WindowOptions options_;
   Document document_;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/json/json_text.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
 #include "core/base/text/text.h"
@@ -40,6 +41,21 @@ std::string find_config(const std::string& path) {
     }
     if (folder == folder.parent_path()) return {};
   }
+}
+
+std::string allow_text(const AllowEntry& entry) {
+  std::string out = "\n[[allow]]\n";
+  const auto add = [&](const char* key, const std::string& value) {
+    // A basic string of TOML has the escapes of JSON.
+    if (!value.empty()) out += std::string(key) + " = " + json(value) + '\n';
+  };
+  add("rule", entry.rule);
+  add("file", entry.file);
+  add("material", entry.material);
+  add("tile", entry.tile);
+  add("reason", entry.reason);
+  add("expires", entry.expires);
+  return out;
 }
 
 bool can_be_turned_off(const Rule& rule) {

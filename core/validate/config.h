@@ -39,6 +39,9 @@ struct ValidateConfig {
 /// (ETK904), values out of range, and [[allow]] without a reason.
 ValidateConfig parse_config(std::string_view text, std::string_view file);
 
+/// The text of an [[allow]] entry, to be put behind that of an etak.toml.
+std::string allow_text(const AllowEntry& entry);
+
 /// Path of the etak.toml in the folder that `path` is or lies in, else of the nearest one above; empty: there
 /// is none.
 std::string find_config(const std::string& path);

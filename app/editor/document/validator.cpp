@@ -3,11 +3,19 @@
 
 #include "app/editor/document/pictures.h"
 #include "app/viewport/background.h"
+#include "app/viewport/qt_text.h"
+#include "core/judge/rules.h"
 #include "core/project/project_pictures.h"
+#include "core/validate/files/project_check.h"
 #include "core/validate/validate.h"
 
 namespace etak::editor {
 namespace {
+
+struct Checked {
+  std::vector<CheckedFile> files;
+  QString config_failure;
+};
 
 constexpr int check_delay_ms = 200;
 constexpr std::size_t most_at_once = 64;  // materials in a batch; the list is looked at again after each
@@ -29,12 +37,50 @@ Validator::Validator(Document& document, QObject* parent)
   connect(&document, &Document::material_changed, this, [mark](int index) { mark(index, 1); });
   connect(&document, &Document::materials_added, this, mark);
   connect(&document, &Document::materials_removed, this, [this] { timer_.start(); });
+  connect(&document, &Document::saved_changed, this, [this, path = document_.path()]() mutable {
+    if (path == document_.path()) return;
+    path = document_.path();  // beside which another etak.toml may be
+    check_all();
+  });
   connect(&document, &Document::replaced, this, [this] {
     findings_.clear();
     kept_ = std::make_shared<KeptPictures>();  // a check that still runs has the one before
     emit findings_changed();
     check_all();
   });
+}
+
+QString counted(std::size_t count, const QString& one, const QString& more) {
+  return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : more);
+}
+
+QString sentence_of(const Finding& finding) {
+  const Rule* rule = find_rule(finding.rule);
+  const QString message = qt_text(finding.message);
+  return rule == nullptr ? message : qt_text(rule->title) + QStringLiteral(": ") + message;
+}
+
+QString OpenFindings::text() const {
+  QStringList out;
+  if (errors > 0)
+    out << counted(static_cast<std::size_t>(errors), QObject::tr("error"), QObject::tr("errors"));
+  if (warnings > 0)
+    out << counted(static_cast<std::size_t>(warnings), QObject::tr("warning"), QObject::tr("warnings"));
+  return out.join(QStringLiteral(", "));
+}
+
+OpenFindings open_findings(const Validator& validator, const std::string& material,
+                           std::optional<Channel> channel) {
+  OpenFindings out;
+  const auto found = validator.findings().find(material);
+  if (found == validator.findings().end()) return out;
+  for (const Finding& each : found->second) {
+    if (each.suppressed || each.severity < Severity::warning) continue;
+    if (channel && field_of(each.rule) != channel) continue;
+    ++(each.severity == Severity::error ? out.errors : out.warnings);
+    out.errors_and_warnings << sentence_of(each);
+  }
+  return out;
 }
 
 void Validator::check_all() {
@@ -73,17 +119,26 @@ void Validator::begin() {
   running_ = true;
   in_background(
       pool_, this,
-      [this, batch = std::move(batch), library = document_.library(), kept = kept_]() mutable {
+      [this, batch = std::move(batch), library = document_.library(), kept = kept_,
+       project = document_.path()]() mutable {
         let_others_go_first();
         ValidationRequest request;
+        Checked out;
+        if (!project.isEmpty())
+          out.config_failure =
+              failure_of([&] { request.config = read_config(find_config(project.toStdString())); });
+        // Materials that are not in this batch may be what an entry is for.
+        request.config.settings.rules["ETK903"].severity = Severity::off;
         request.inputs.materials = {std::move(batch), std::move(library), most_texels, std::move(kept)};
         request.run.door = picture_door();
         request.run.stop = [this] { return stop_.load(); };  // the destructor waits for this thread
-        return validate(std::move(request)).files;
+        out.files = validate(std::move(request)).files;
+        return out;
       },
-      [this](std::vector<CheckedFile> checked) {
+      [this](Checked checked) {
         running_ = false;
-        for (CheckedFile& file : checked) {
+        config_failure_ = checked.config_failure;
+        for (CheckedFile& file : checked.files) {
           if (file.findings.empty())
             findings_.erase(file.path);
           else

@@ -1,35 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/panels/findings_panel.h"
 
+#include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QLabel>
+#include <QPalette>
 #include <QStyledItemDelegate>
 #include <QTreeView>
 #include <algorithm>
 #include <tuple>
 
+#include "app/editor/fields/add_button.h"
 #include "app/editor/panels/inspector/sections.h"
 #include "app/viewport/qt_text.h"
 #include "core/judge/rules.h"
+#include "core/validate/config.h"
+#include "core/validate/repairs/repair.h"
 
 namespace etak::editor {
 namespace {
 
-// "1 error", "2 errors"
-QString counted(std::size_t count, const QString& one, const QString& more) {
-  return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : more);
-}
-
 // The place of a finding in the list: those of a rule stand together, and in it those of a material.
 auto place_of(const Finding& finding) {
   return std::tie(finding.rule, finding.material, finding.file, finding.pointer, finding.tile);
-}
-
-// What is wrong, and where: "F0 lies where no common material is: F0 0.22 (byte 128, grey) on 64 px (100 %)".
-QString sentence_of(const Finding& finding) {
-  const Rule* rule = find_rule(finding.rule);
-  const QString message = qt_text(finding.message);
-  return rule == nullptr ? message : qt_text(rule->title) + QStringLiteral(": ") + message;
 }
 
 // Makes each row as high as its whole message needs.
@@ -87,10 +82,13 @@ const Finding* FindingsModel::at(int row) const {
   return row >= 0 && row < rowCount() ? &rows_[static_cast<std::size_t>(row)] : nullptr;
 }
 
-std::array<std::size_t, 3> FindingsModel::counts() const {
-  std::array<std::size_t, 3> out{};
+std::array<std::size_t, 4> FindingsModel::counts() const {
+  std::array<std::size_t, 4> out{};
   for (const Finding& each : rows_)
-    ++out[each.severity == Severity::error ? 0 : each.severity == Severity::warning ? 1 : 2];
+    ++out[each.suppressed                      ? 3
+          : each.severity == Severity::error   ? 0
+          : each.severity == Severity::warning ? 1
+                                               : 2];
   return out;
 }
 
@@ -106,13 +104,18 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   const Finding* finding = at(index.row());
   if (finding == nullptr) return {};
   if (role == Qt::ToolTipRole)
-    return qt_text(finding->message + (finding->cause.empty() ? "" : "\n" + finding->cause) +
+    return qt_text((finding->suppressed ? "muted: " + finding->suppression + "\n" : "") + finding->message +
+                   (finding->cause.empty() ? "" : "\n" + finding->cause) +
                    (finding->fix.empty() ? "" : "\n" + finding->fix) + "\n" + finding->source);
-  if (role == Qt::UserRole && index.column() == severity_column) return static_cast<int>(finding->severity);
+  // Muted ones stand below all others.
+  if (role == Qt::UserRole && index.column() == severity_column)
+    return finding->suppressed ? -1 : static_cast<int>(finding->severity);
+  if (role == Qt::ForegroundRole && finding->suppressed)
+    return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
   if (role != Qt::DisplayRole && role != Qt::UserRole) return {};
   switch (index.column()) {
     case severity_column:
-      return qt_text(name(finding->severity));
+      return finding->suppressed ? tr("muted") : qt_text(name(finding->severity));
     case rule_column:
       return qt_text(finding->rule);
     case material_column:
@@ -136,7 +139,15 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
   setAccessibleName(tr("Findings"));
   auto* column = panel_column(this, 3);
   sums_->setAccessibleName(tr("Number of findings"));
-  column->addWidget(sums_);
+  auto* row = new QHBoxLayout;
+  column->addLayout(row);
+  sums_->setWordWrap(true);
+  row->addWidget(sums_, 1);
+  fix_ = add_button(*row, tr("Fix"),
+                    tr("Repair what the marked finding is about, as etak validate --fix does"), tr("Fix"));
+  mute_ = add_button(*row, tr("Mute\u2026"),
+                     tr("Accept the marked finding with a reason, in the etak.toml beside the project"),
+                     tr("Mute"));
   sorted_.setSourceModel(&model_);
   sorted_.setSortRole(Qt::UserRole);
   table_->setModel(&sorted_);
@@ -160,12 +171,19 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
   table_->setColumnWidth(FindingsModel::material_column, metrics.horizontalAdvance("m") * 8);
   column->addWidget(table_, 1);
   column->addWidget(advice_);
+  connect(fix_, &QToolButton::clicked, this, [this] {
+    if (const Finding* finding = marked()) emit fix_asked(*finding);
+  });
+  connect(mute_, &QToolButton::clicked, this, &FindingsPanel::ask_reason);
   const auto show = [this, &validator] {
     model_.set_findings(validator.findings());
-    const auto [errors, warnings, infos] = model_.counts();
-    const QString sums = counted(errors, tr("error"), tr("errors")) + ", " +
-                         counted(warnings, tr("warning"), tr("warnings")) + ", " +
-                         counted(infos, tr("info"), tr("infos"));
+    const auto [errors, warnings, infos, muted] = model_.counts();
+    QString sums = counted(errors, tr("error"), tr("errors")) + ", " +
+                   counted(warnings, tr("warning"), tr("warnings")) + ", " +
+                   counted(infos, tr("info"), tr("infos"));
+    if (muted > 0) sums += tr(", %1 muted").arg(muted);
+    if (!validator.config_failure().isEmpty())
+      sums += tr("; not by etak.toml: %1").arg(validator.config_failure());
     // What was found before stands there while the check runs, but nothing is called clean before it has.
     const bool any = model_.rowCount() != 0;
     sums_->setText(validator.is_idle() ? (any ? sums : tr("No findings"))
@@ -176,17 +194,39 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
   connect(&validator, &Validator::work_changed, this, show);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, &FindingsPanel::show_advice);
   connect(table_, &QTreeView::activated, this, [this](const QModelIndex& now) {
-    if (const Finding* finding = model_.at(sorted_.mapToSource(now).row()))
-      emit go_to(qt_text(finding->material), qt_text(finding->rule));
+    // A copy: what is shown then may change the list.
+    if (const Finding* finding = model_.at(sorted_.mapToSource(now).row())) emit go_to(Finding(*finding));
   });
   show();
 }
 
+const Finding* FindingsPanel::marked() const {
+  return model_.at(sorted_.mapToSource(table_->currentIndex()).row());
+}
+
+void FindingsPanel::ask_reason() {
+  const Finding* finding = marked();
+  if (finding == nullptr) return;
+  auto* dialog = new QInputDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Mute %1 of %2").arg(qt_text(finding->rule), qt_text(finding->material)));
+  dialog->setLabelText(tr("Why it is right as it is (written into the etak.toml of the project):"));
+  connect(dialog, &QInputDialog::textValueSelected, this, [this, muted = *finding](const QString& reason) {
+    if (!reason.trimmed().isEmpty()) emit mute_asked(muted, reason.trimmed());
+  });
+  dialog->open();
+}
+
 void FindingsPanel::show_advice() {
-  const Finding* finding = model_.at(sorted_.mapToSource(table_->currentIndex()).row());
+  const Finding* finding = marked();
+  const bool open = finding != nullptr && !finding->suppressed;
+  fix_->setEnabled(open && find_repair(finding->rule) != nullptr);
+  const Rule* rule = open ? find_rule(finding->rule) : nullptr;
+  mute_->setEnabled(rule != nullptr && can_be_turned_off(*rule));
   advice_->setText(
-      finding == nullptr
-          ? QString()
+      finding == nullptr ? QString()
+      : finding->suppressed
+          ? tr("muted: %1").arg(qt_text(finding->suppression))
           : qt_text(finding->cause.empty() ? finding->fix : finding->cause + ".\n" + finding->fix));
 }
 

@@ -8,6 +8,7 @@
 #include "app/editor/document/validator.h"
 
 class QLabel;
+class QToolButton;
 class QTreeView;
 
 namespace etak::editor {
@@ -22,7 +23,7 @@ class FindingsModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
   void set_findings(const std::map<std::string, std::vector<Finding>>& findings);
   const Finding* at(int row) const;
-  std::array<std::size_t, 3> counts() const;  // errors, warnings, infos
+  std::array<std::size_t, 4> counts() const;  // errors, warnings, infos, muted
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -35,7 +36,7 @@ class FindingsModel : public QAbstractTableModel {
 };
 
 /// The list of findings. A double click or Return on a row emits go_to(), which shows the field of the
-/// finding.
+/// finding and its texels. Buttons repair what the marked one is about, and mute it with a reason.
 class FindingsPanel : public QWidget {
   Q_OBJECT
 
@@ -45,14 +46,19 @@ class FindingsPanel : public QWidget {
   const FindingsModel& model() const { return model_; }
 
  signals:
-  void go_to(const QString& material, const QString& rule);
+  void go_to(const Finding& finding);
+  void fix_asked(const Finding& finding);
+  void mute_asked(const Finding& finding, const QString& reason);
 
  private:
+  const Finding* marked() const;
+  void ask_reason();
   void show_advice();
   FindingsModel model_;
   QSortFilterProxyModel sorted_;
   QTreeView* table_;
   QLabel *sums_, *advice_;
+  QToolButton *fix_ = nullptr, *mute_ = nullptr;
 };
 
 }  // namespace etak::editor

@@ -5,6 +5,7 @@
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QListView>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <functional>
@@ -27,10 +28,33 @@ std::string look_text(const ProjectMaterial& m) {
   return format_project(one, "");
 }
 
+// A dot at the lower right, red for errors and yellow for warnings.
+QPixmap badged(QPixmap picture, const OpenFindings& found) {
+  if (found.errors + found.warnings == 0) return picture;
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QSizeF size = picture.deviceIndependentSize();
+  const double side = size.width() / 2.6;
+  painter.setPen(QPen(Qt::black, 1));
+  painter.setBrush(found.errors > 0 ? QColor(220, 50, 40) : QColor(235, 180, 30));
+  const QRectF dot(size.width() - side - 0.5, size.height() - side - 0.5, side, side);
+  painter.drawEllipse(dot);
+  QFont font = painter.font();
+  font.setPixelSize(static_cast<int>(side * 0.8));
+  font.setBold(true);
+  painter.setFont(font);
+  painter.setPen(found.errors > 0 ? Qt::white : Qt::black);
+  painter.drawText(dot, Qt::AlignCenter, QStringLiteral("!"));
+  return picture;
+}
+
 }  // namespace
 
-ProjectModel::ProjectModel(Document& document, Thumbnails& thumbnails, QObject* parent)
-    : QAbstractListModel(parent), document_(document), thumbnails_(thumbnails) {
+ProjectModel::ProjectModel(Document& document, Thumbnails& thumbnails, Validator& validator, QObject* parent)
+    : QAbstractListModel(parent), document_(document), thumbnails_(thumbnails), validator_(validator) {
+  connect(&validator, &Validator::findings_changed, this, [this] {
+    if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1));
+  });
   connect(&document, &Document::replaced, this, [this] {
     beginResetModel();
     endResetModel();
@@ -83,13 +107,20 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
     case Qt::EditRole:
       return QString::fromStdString(m.name);
-    case Qt::ToolTipRole:
+    case Qt::ToolTipRole: {
+      const QString found = open_findings(validator_, m.name).text();
       return tr("%1: F0 %2, %3")
-          .arg(QString::fromStdString(m.name), QString::fromStdString(hex(srgb_u8(m.specular))),
-               QString::fromStdString(roughness_text(m.gloss)));
+                 .arg(QString::fromStdString(m.name), QString::fromStdString(hex(srgb_u8(m.specular))),
+                      QString::fromStdString(roughness_text(m.gloss))) +
+             (found.isEmpty() ? found : QLatin1Char('\n') + found);
+    }
+    case Qt::AccessibleTextRole: {
+      const QString found = open_findings(validator_, m.name).text();
+      return QString::fromStdString(m.name) + (found.isEmpty() ? found : QStringLiteral(", ") + found);
+    }
     case Qt::DecorationRole: {
       const QPixmap pixmap = picture(index.row());
-      if (!pixmap.isNull()) return untinted_icon(pixmap);
+      if (!pixmap.isNull()) return untinted_icon(badged(pixmap, open_findings(validator_, m.name)));
       QPixmap empty(row_side, row_side);
       empty.fill(qt_color(srgb_u8(m.specular)));
       return empty;
@@ -111,10 +142,10 @@ Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {
   return QAbstractListModel::flags(index) | Qt::ItemIsEditable;
 }
 
-ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* parent)
+ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, Validator& validator, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      model_(document, thumbnails),
+      model_(document, thumbnails, validator),
       list_(new QListView(this)),
       marked_(quiet_label(tr("Marked materials"), this)) {
   setAccessibleName(tr("Project"));

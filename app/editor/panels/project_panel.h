@@ -6,18 +6,19 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/thumbnails.h"
+#include "app/editor/document/validator.h"
 
 class QLabel;
 class QListView;
 
 namespace etak::editor {
 
-/// The materials of the project as rows.
+/// The materials of the project as rows. A badge on its picture says that a material has errors or warnings.
 class ProjectModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  ProjectModel(Document& document, Thumbnails& thumbnails, QObject* parent = nullptr);
+  ProjectModel(Document& document, Thumbnails& thumbnails, Validator& validator, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
@@ -27,6 +28,7 @@ class ProjectModel : public QAbstractListModel {
   QPixmap picture(int row) const;
   Document& document_;
   Thumbnails& thumbnails_;
+  Validator& validator_;
 };
 
 /// The list of the project's materials: the user selects one, renames it (F2), adds one, and copies or removes
@@ -35,7 +37,7 @@ class ProjectPanel : public QWidget {
   Q_OBJECT
 
  public:
-  ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* parent = nullptr);
+  ProjectPanel(Document& document, Thumbnails& thumbnails, Validator& validator, QWidget* parent = nullptr);
   QListView& list() { return *list_; }
   std::vector<int> selected() const;  // the selected rows in ascending order
   std::vector<int> in_hand() const;   // the selected rows, or the current one where none is selected

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "app/editor/document/pictures.h"
+#include "app/editor/panels/histogram.h"
 #include "app/editor/panels/inspector/sections.h"
 #include "app/editor/panels/texel_text.h"
 #include "app/viewport/background.h"
@@ -37,6 +38,7 @@ bool is_shown(Channel channel) {
 struct Loaded {
   Pictures pictures;  // one texel for channels that have none
   QSize shown_size;   // in which all of them are shown
+  QSize whole_size;   // of the files
   std::shared_ptr<const SurfaceTextures> textures;
   QString text;
 };
@@ -48,6 +50,7 @@ struct TextureView::FilesRead {
   PicturesKey key;
   Pictures pictures = {};
   QSize shown_size = {};  // of the pictures
+  QSize whole_size = {};  // of the files
   std::shared_ptr<const SurfaceTextures> textures = {};
   QString size = {};
 };
@@ -67,9 +70,9 @@ void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& 
       std::make_shared<const SurfaceTextures>(surface_textures(m, pair, picture_door(), most_side));
   const bool packed = has_packed_textures(m);
   const Image& alone = textures->emission.width > 0 ? textures->emission : textures->normal;
-  read.size = QObject::tr("%1 x %2 texels")
-                  .arg(packed ? pair.diffuse_alpha.width : alone.width)
-                  .arg(packed ? pair.diffuse_alpha.height : alone.height);
+  read.whole_size =
+      packed ? QSize(pair.diffuse_alpha.width, pair.diffuse_alpha.height) : QSize(alone.width, alone.height);
+  read.size = QObject::tr("%1 x %2 texels").arg(read.whole_size.width()).arg(read.whole_size.height());
   for (const Channel channel : all_channels) {
     if (!is_shown(channel) || !gives(m, channel)) continue;
     QImage& picture = read.pictures[static_cast<std::size_t>(channel)];
@@ -115,6 +118,7 @@ Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Kep
     out.text = read.size;
     out.pictures = read.pictures;
     out.shown_size = read.shown_size;
+    out.whole_size = read.whole_size;
     ProjectMaterial plain = m;
     plain.textures = {};
     const MaterialPair numbers = pictures_of(plain, library, PictureDoor());
@@ -143,12 +147,17 @@ class TextureView::Sheet : public QWidget {
   }
   std::function<void(const QPoint& texel)> marked;  // called with a texel, or -1, -1
   const QPoint& texel() const { return marked_; }
+  std::function<void()> fitted;  // called where the whole picture is asked for
   //   size   in which a picture of one texel is shown, too
-  void set_picture(const QImage& picture, const QSize& size) {
+  //   box    that is framed, as a share of the picture; empty: none
+  void set_picture(const QImage& picture, const QSize& size, const QRectF& box) {
     picture_ = picture;
     size_ = size;
+    if (box != box_ && !box.isEmpty()) zoom_to(box);
+    box_ = box;
     update();
   }
+  QRectF box() const { return box_; }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -157,8 +166,17 @@ class TextureView::Sheet : public QWidget {
     if (picture_.isNull()) return;
     painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_rect().width() < 2 * size_.width());
     painter.drawImage(shown_rect(), picture_);
-    if (!hasFocus() || marked_.x() < 0) return;
     const QRectF all = shown_rect();
+    if (!box_.isEmpty()) {
+      const QRectF frame(all.x() + box_.x() * all.width(), all.y() + box_.y() * all.height(),
+                         std::max(4.0, box_.width() * all.width()),
+                         std::max(4.0, box_.height() * all.height()));
+      for (const auto& [color, width] : {std::pair{Qt::black, 4}, {Qt::yellow, 2}}) {
+        painter.setPen(QPen(color, width));
+        painter.drawRect(frame.adjusted(-2, -2, 2, 2));
+      }
+    }
+    if (!hasFocus() || marked_.x() < 0) return;
     const double w = all.width() / picture_.width(), h = all.height() / picture_.height();
     painter.setPen(QPen(Qt::white, 1));
     painter.drawRect(
@@ -192,10 +210,23 @@ class TextureView::Sheet : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent*) override {
     zoom_ = 1;
     shift_ = {};
+    if (fitted) fitted();
     update();
   }
 
  private:
+  // Brings a part of the picture into the middle, with as much around it on each side.
+  void zoom_to(const QRectF& part) {
+    zoom_ = 1;
+    shift_ = {};
+    if (size_.isEmpty() || width() == 0) return;
+    const QSizeF all = shown_rect().size();
+    zoom_ = std::clamp(
+        std::min(width() / (3 * part.width() * all.width()), height() / (3 * part.height() * all.height())),
+        1.0, 64.0);
+    const QPointF off = QPointF(0.5, 0.5) - part.center();
+    shift_ = {off.x() * all.width() * zoom_, off.y() * all.height() * zoom_};
+  }
   // Where the whole picture is drawn.
   QRectF shown_rect() const {
     const double fit = std::min(double(width()) / size_.width(), double(height()) / size_.height());
@@ -217,6 +248,7 @@ class TextureView::Sheet : public QWidget {
   QPoint marked_{-1, -1};
   QImage picture_;
   QSize size_;
+  QRectF box_;
   double zoom_ = 1;
   QPointF shift_, last_;
 };
@@ -227,6 +259,7 @@ TextureView::TextureView(Document& document, QWidget* parent)
       channel_(new QuietComboBox(tr("Texture channel"), this)),
       summary_(quiet_label(tr("About the textures"), this)),
       texel_(quiet_label(tr("Texel under the cursor"), this)),
+      histogram_(new Histogram(this)),
       sheet_(new Sheet(this)) {
   setAccessibleName(tr("Textures"));
   auto* column = panel_column(this, 6);
@@ -235,11 +268,18 @@ TextureView::TextureView(Document& document, QWidget* parent)
     if (is_shown(each)) channel_->addItem(qt_text(name(each)), static_cast<int>(each));
   row->addWidget(channel_);
   row->addWidget(summary_, 1);
+  row->addWidget(histogram_, 1);
   column->addLayout(row);
   column->addWidget(sheet_, 1);
   column->addWidget(texel_);
   texel_->setText(QString(QChar::Space));  // keeps its line
   sheet_->marked = [this](const QPoint&) { show_texel(); };
+  sheet_->fitted = [this] {
+    box_.reset();
+    show_picture();
+  };
+  // Before load() is, so that a box of the material before is gone.
+  connect(&document, &Document::current_changed, this, [this] { box_.reset(); });
   connect(channel_, &QComboBox::currentIndexChanged, this, &TextureView::show_picture);
   connect(&document, &Document::current_changed, this, &TextureView::load);
   connect(&document, &Document::replaced, this, [this] {
@@ -256,6 +296,18 @@ QString TextureView::summary() const {
 
 void TextureView::show_channel(Channel channel) {
   channel_->setCurrentIndex(channel_->findData(static_cast<int>(drawn_as(channel))));
+}
+
+void TextureView::show_box(Channel channel, const PixelBox& box) {
+  box_ = box;
+  show_channel(channel);
+  show_picture();
+}
+
+QRectF TextureView::shown_box() const {
+  const QRectF part = sheet_->box();
+  return {part.x() * shown_size_.width(), part.y() * shown_size_.height(), part.width() * shown_size_.width(),
+          part.height() * shown_size_.height()};
 }
 
 void TextureView::read_again() {
@@ -325,6 +377,7 @@ void TextureView::load() {
         shown_files_ = key.textures;
         pictures_ = std::move(loaded.pictures);
         shown_size_ = loaded.shown_size;
+        whole_size_ = loaded.whole_size;
         textures_ = std::move(loaded.textures);
         summary_->setText(loaded.text);
         show_picture();
@@ -333,7 +386,14 @@ void TextureView::load() {
 }
 
 void TextureView::show_picture() {
-  sheet_->set_picture(pictures_[static_cast<std::size_t>(channel_->currentData().toInt())], shown_size_);
+  const auto channel = static_cast<Channel>(channel_->currentData().toInt());
+  const QImage& picture = pictures_[static_cast<std::size_t>(channel)];
+  QRectF box;
+  if (box_ && !picture.isNull() && !whole_size_.isEmpty())
+    box = {double(box_->x) / whole_size_.width(), double(box_->y) / whole_size_.height(),
+           double(box_->width) / whole_size_.width(), double(box_->height) / whole_size_.height()};
+  sheet_->set_picture(picture, shown_size_, box);
+  histogram_->show_picture(picture, channel == Channel::specular);
   show_texel();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QImage>
+#include <QRectF>
 #include <QWidget>
 
 #include "app/editor/document/document.h"
@@ -11,6 +12,7 @@ class QLabel;
 
 namespace etak::editor {
 
+class Histogram;
 class QuietComboBox;
 
 /// A flat picture of one channel of the material's textures. The wheel zooms, a drag moves the picture, a
@@ -22,6 +24,11 @@ class TextureView : public QWidget {
  public:
   explicit TextureView(Document& document, QWidget* parent = nullptr);
   void show_channel(Channel channel);
+  /// Frames a box of the material's pictures, in their own texels, as soon as they are there: until another material or
+  /// a double click.
+  void show_box(Channel channel, const PixelBox& box);
+  /// The box that is framed, in texels of the picture that is shown; empty: none.
+  QRectF shown_box() const;
   /// Reads the pictures whose files have changed. The old ones are shown until then.
   void read_again();
   /// The textures for the viewport; null where there are none. textures_changed() is emitted when they are
@@ -50,6 +57,7 @@ class TextureView : public QWidget {
   Document& document_;
   QuietComboBox* channel_;
   QLabel *summary_, *texel_;
+  Histogram* histogram_;
   Sheet* sheet_;
   Worker pool_;
   std::optional<ProjectMaterial> loaded_;
@@ -57,7 +65,8 @@ class TextureView : public QWidget {
   std::shared_ptr<PicturesKept> kept_;
   bool reading_ = false, waiting_ = false;
   std::array<QImage, all_channels.size()> pictures_;  // one texel for channels that have none
-  QSize shown_size_;                                  // in which they are shown
+  QSize shown_size_, whole_size_;                     // in which they are shown, and of the files
+  std::optional<PixelBox> box_;                       // in texels of the files
   std::shared_ptr<const SurfaceTextures> textures_;
 };
 

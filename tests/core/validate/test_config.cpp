@@ -217,3 +217,11 @@ TEST_CASE("the settings' hash changes with whatever changes findings, and with n
         "[zone]\nmetric = \"max\"", "[zone]\nerode = 5", "[zone]\nmin_area_px = 31"})
     CHECK(hash(text) != plain);
 }
+
+TEST_CASE("an [[allow]] entry is written so that it reads the same") {
+  const AllowEntry entry{"ETK108",    {}, "Umlaut \xc3\xbc \"quoted\" \\", {}, "a toy,\nnot a car",
+                         "2031-05-01"};
+  const std::string before = "profile = \"strict\"\n# the end";
+  CHECK(parse_config(before + allow_text(entry), "etak.toml").settings.allow ==
+        std::vector<AllowEntry>{entry});
+}

@@ -7,10 +7,13 @@
 #include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/findings/output/formats.h"
+#include "core/image/files/png.h"
+#include "core/image/load.h"
 #include "core/judge/rules.h"
 #include "core/pages/repair_page.h"
 #include "core/validate/repairs/repair.h"
 #include "core/validate/repairs/repair_files.h"
+#include "core/validate/repairs/repair_material.h"
 #include "tests/core/validate/checked.h"
 #include "tests/core/validate/repaired.h"
 #include "tests/support.h"
@@ -191,4 +194,46 @@ TEST_CASE("every repair belongs to a rule, and the page shows before and after")
                            "not &lt;known&gt;", "before", "after", "13 of 16 texels are as they were"})
     CHECK(contains(html, part));
   CHECK_FALSE(contains(html, "<b>.png"));
+}
+
+TEST_CASE("a material of a project is repaired as its pictures are, by numbers and by copies") {
+  const TempFolder folder;
+  const MaterialLibrary library = MaterialLibrary::builtin();
+  ProjectMaterial metal;
+  metal.name = "Painted metal";
+  metal.specular = {0.9, 0.88, 0.85};
+  metal.diffuse = {0.3, 0.3, 0.3};
+  metal.alpha_mode = AlphaMode::opaque;
+  const auto repaired = [&](const ProjectMaterial& material, const std::string& work) {
+    std::filesystem::create_directory(folder.file(work));
+    return repair_material(material, library, {}, {}, folder.file(work), folder.path());
+  };
+  const RepairedMaterial numbers = repaired(metal, "a");
+  CHECK(numbers.material.diffuse == LinearRgb{0, 0, 0});
+  CHECK(numbers.material.specular == metal.specular);  // not read back from codes
+  REQUIRE(numbers.done.size() == 1);
+  CHECK(numbers.done[0] == "ETK108: made diffuse black under metal");
+
+  spit(folder.file("grey.png"), png_bytes(Image8(32, 32, 3, 150), {}));
+  set_texture(metal, Channel::diffuse, ImageSource{folder.file("grey.png"), {}, {}});
+  const RepairedMaterial pictures = repaired(metal, "b");
+  const auto& texture = pictures.material.texture(Channel::diffuse);
+  REQUIRE(texture);
+  CHECK(texture->path == folder.file("painted_metal_diffuse_fixed.png"));
+  CHECK(codes_of(load_picture(texture->path, {}), false) == Image8(32, 32, 3, 0));
+  CHECK(repaired(metal, "c").material.texture(Channel::diffuse)->path ==
+        folder.file("painted_metal_diffuse_fixed_2.png"));
+
+  // What is right stays as it is, and what is no mistake of a known cause is told.
+  ProjectMaterial plastic;
+  plastic.name = "plastic";
+  plastic.diffuse = {0.4, 0.1, 0.1};
+  const RepairedMaterial right = repaired(plastic, "d");
+  CHECK(right.material == plastic);
+  CHECK((right.done.empty() && right.left.empty()));
+  plastic.specular = {0.3, 0.33, 0.36};
+  const RepairedMaterial left = repaired(plastic, "e");
+  CHECK(left.material == plastic);
+  REQUIRE(left.left.size() == 1);
+  CHECK(left.left[0].starts_with("ETK101: "));
 }

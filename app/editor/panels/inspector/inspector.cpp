@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/editor/document/files.h"
+#include "app/editor/document/validator.h"
 #include "app/editor/panels/inspector/layers_section.h"
 #include "app/editor/panels/inspector/model_section.h"
 #include "app/editor/panels/inspector/source_section.h"
@@ -72,6 +73,11 @@ Inspector::Inspector(Document& document, QWidget* parent)
   mark_textured(*numbers_, *diffuse_, Channel::diffuse);
   for (NumberField* each : {gloss_, roughness_}) mark_textured(*numbers_, *each, Channel::gloss);
   mark_textured(*rest_, *alpha_, Channel::alpha);
+  badges_ = {{Channel::specular, numbers_->add_badge(*specular_)},
+             {Channel::diffuse, numbers_->add_badge(*diffuse_)},
+             {Channel::gloss, numbers_->add_badge(*gloss_)},
+             {Channel::gloss, numbers_->add_badge(*roughness_)},
+             {Channel::alpha, rest_->add_badge(*alpha_)}};
   column().addWidget(model_);
   column().addWidget(textures_);
   column().addStretch(1);
@@ -296,6 +302,25 @@ void Inspector::reset_color(ColorField& field, LinearRgb ProjectMaterial::*membe
   }
 }
 
+void Inspector::follow(const Validator& validator) {
+  validator_ = &validator;
+  connect(&validator, &Validator::findings_changed, this, &Inspector::show_badges);
+  show_badges();
+}
+
+void Inspector::show_badges() {
+  const ProjectMaterial* m = preview_ ? nullptr : document_.material();
+  for (const auto& [channel, badge] : badges_) {
+    const OpenFindings found =
+        m == nullptr || validator_ == nullptr ? OpenFindings{} : open_findings(*validator_, m->name, channel);
+    badge->setText(found.text().isEmpty() ? QString() : QString(QChar(0x26a0)));
+    badge->setToolTip(found.errors_and_warnings.join(QLatin1Char('\n')));
+    badge->setAccessibleDescription(found.text());
+    badge->setStyleSheet(found.errors > 0 ? QStringLiteral("color: #d8402e")
+                                          : QStringLiteral("color: #c8901a"));
+  }
+}
+
 void Inspector::show_preview(const std::optional<ProjectMaterial>& material) {
   if (preview_ == material) return;
   preview_ = material;
@@ -319,6 +344,7 @@ void Inspector::show_material() {
   const QString name = QString::fromStdString(m->name);
   if (name_->text() != name) name_->setText(name);
   fields_.show(*m);
+  show_badges();
 }
 
 void Inspector::go_to(const std::string& rule) {

@@ -20,6 +20,7 @@ class ModelSection;
 class LayersSection;
 class SourceSection;
 class TextureSection;
+class Validator;
 
 /// The fields of the current material.
 class Inspector : public PanelScroll {
@@ -39,6 +40,8 @@ class Inspector : public PanelScroll {
   /// Scrolls to what a rule is about, and gives it the focus: the measured record, the file of a texture, the
   /// shading model, or the number of a channel that has no texture.
   void go_to(const std::string& rule);
+  /// Marks the fields that findings are about, with their sentences as tooltips.
+  void follow(const Validator& validator);
   /// Shows a material of the library in fields that cannot be edited; none: shows the current material again.
   void show_preview(const std::optional<ProjectMaterial>& material);
 
@@ -49,6 +52,7 @@ class Inspector : public PanelScroll {
   void show_material();
   void make_numbers();
   void make_rest();
+  void show_badges();
   void mark_textured(Section& section, QWidget& field, Channel channel);
   void edit(const QString& what, int press, const std::function<void(ProjectMaterial&)>& change);
   Gloss standard_gloss() const;
@@ -58,6 +62,8 @@ class Inspector : public PanelScroll {
   void reset_color(ColorField& field, LinearRgb ProjectMaterial::*member, const QString& what);
 
   Document& document_;
+  const Validator* validator_ = nullptr;
+  std::vector<std::pair<Channel, QLabel*>> badges_;
   std::optional<ProjectMaterial> preview_;
   FieldsOf<ProjectMaterial> fields_;
   QLabel* empty_;

@@ -71,6 +71,28 @@ void Section::add(const QString& name, QWidget* field, const QString& tip) {
   rows_->addRow(label_for(name, field, tip), field);
 }
 
+QLabel* Section::add_badge(QWidget& field) {
+  QWidget* beside = &field;
+  int row = 0;
+  QFormLayout::ItemRole role = QFormLayout::FieldRole;
+  rows_->getWidgetPosition(beside, &row, &role);
+  if (role == QFormLayout::SpanningRole) {
+    beside = label_of(field);
+    rows_->getWidgetPosition(beside, &row, &role);
+  }
+  rows_->removeWidget(beside);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(2);
+  auto* out = new QLabel(this);
+  out->setAccessibleName(tr("Findings about %1").arg(field.accessibleName()));
+  out->setFixedWidth(fontMetrics().horizontalAdvance(QChar(0x26a0)) + 4);
+  line->addWidget(beside, beside == &field ? 1 : 0);
+  line->addWidget(out);
+  if (beside != &field) line->addStretch(1);
+  rows_->setLayout(row, role, line);
+  return out;
+}
+
 void Section::add(QWidget* wide) {
   rows_->addRow(wide);
 }

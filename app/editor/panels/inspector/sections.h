@@ -40,6 +40,8 @@ class Section : public QGroupBox {
   QHBoxLayout& add_line(const QString& name);
   /// Adds a wide field below its name.
   void add_below(const QString& name, QWidget* field, const QString& tip);
+  /// An empty place for a sign beside a field, or beside the name of a wide one, so that nothing moves where it comes.
+  QLabel* add_badge(QWidget& field);
   QFormLayout& rows() { return *rows_; }
   /// The label of a field that was added with a name; null: there is none.
   QLabel* label_of(const QWidget& field) const;
