@@ -94,7 +94,8 @@ Window::Window(const WindowOptions& options, QWidget* parent)
   connect(&document_, &Document::replaced, problems_, &ProblemStrip::clear);
   connect(&document_, &Document::saved_changed, this, titled);
   connect(&document_, &Document::replaced, this, titled);
-  connect(&document_.undo_stack(), &QUndoStack::cleanChanged, this, titled);
+  for (QUndoStack* each : {&document_.undo_stack(), &document_.view_stack()})
+    connect(each, &QUndoStack::cleanChanged, this, titled);
   update_title();
   refresh();
   qApp->installEventFilter(this);
@@ -246,6 +247,7 @@ void Window::make_docks() {
 
 void Window::connect_panels() {
   library_panel_->set_library(document_.library());
+  connect_favourites();
   connect(&document_, &Document::spectra_changed, this,
           [this] { library_panel_->set_library(document_.library()); });
   connect(library_panel_, &LibraryPanel::looked_at, this, &Window::preview);

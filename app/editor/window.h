@@ -47,7 +47,7 @@ struct WindowOptions {
 /// The window of the editor: library and project on the left, viewport with tabs under it, inspector on the
 /// right, findings below. Its functions are in files by subject: window.cpp makes the panels,
 /// window_menus.cpp the menus, window_files.cpp reads and writes files, window_drops.cpp takes dropped files,
-/// window_findings.cpp acts on findings, window_mask.cpp makes materials by masks, window_export.cpp exports to other programs, window_recovery.cpp guards unsaved changes,
+/// window_own.cpp has materials across projects, window_findings.cpp acts on findings, window_mask.cpp makes materials by masks, window_export.cpp exports to other programs, window_recovery.cpp guards unsaved changes,
 /// window_picture.cpp updates viewport and tabs.
 class Window : public QMainWindow {
   Q_OBJECT
@@ -200,6 +200,12 @@ class Window : public QMainWindow {
   void show_environment_work(bool on);
   void show_difference();
   void copy_command();
+  QString own_folder() const;
+  void make_own_menu(QMenu* menu);
+  void copy_materials();
+  void paste_materials();
+  void keep_as_own();
+  void connect_favourites();
   void show_shader();
   void show_curves();
   void show_patch(const PatchUnderCursor& patch);

@@ -96,12 +96,13 @@ void Window::make_edit_menu() {
          [this] { emit project_panel_->new_asked(); });
   action(menu, tr("&Duplicate materials"), QKeySequence(Qt::CTRL | Qt::Key_D),
          [this] { emit project_panel_->copy_asked(); });
-  action(menu, tr("Materials by mas&k\u2026"), QKeySequence(Qt::CTRL | Qt::Key_M), [this] { ask_mask(); });
+  action(menu, tr("Materials &by mask\u2026"), QKeySequence(Qt::CTRL | Qt::Key_M), [this] { ask_mask(); });
   // The key Del works in the project panel only, because text fields need it wherever they have the focus.
   auto* remove = action(menu, tr("Re&move materials"), QKeySequence::Delete,
                         [this] { emit project_panel_->remove_asked(); });
   remove->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   project_panel_->addAction(remove);
+  make_own_menu(menu);
   menu->addSeparator();
   fill_copy_menu(submenu(menu, tr("&Copy value as")));
   action(menu, tr("Copy as command &line"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
@@ -129,6 +130,11 @@ void Window::make_view_menu() {
          [this] { emit view_panel_->pin_asked(); });
   menu->addAction(look_action_);
   menu->addAction(measure_action_);
+  QAction* back = document_.view_stack().createUndoAction(this, tr("&Undo the look:"));
+  back->setShortcut(QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_Z));
+  QAction* forth = document_.view_stack().createRedoAction(this, tr("Re&do the look:"));
+  forth->setShortcut(QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_Y));
+  menu->addActions({back, forth});
   const auto overlay = [&](const QString& title, Qt::Key key, bool Look::*on) {
     action(menu, title, QKeySequence(Qt::CTRL | key), [this, on] {
       look_.*on = !(look_.*on);

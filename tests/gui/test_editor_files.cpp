@@ -118,7 +118,7 @@ class EditorFiles : public QObject {
     QCOMPARE(other->viewport().state().wedge_steps, 5);
     other->document().change_view(QStringLiteral("compare"), next_press_id(),
                                   [](ProjectView& v) { v.compare = {}; });
-    other->document().undo_stack().undo();
+    other->document().view_stack().undo();
     QVERIFY(other->document().project().view.compare == compare);
   }
 

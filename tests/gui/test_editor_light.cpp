@@ -207,7 +207,7 @@ class EditorLight : public QObject {
                             long_ms));
     const Project& project = window->document().project();
     QVERIFY(parse_project(format_project(project, {}), "saved.json").view == project.view);
-    for (int i = 0; i < 3; ++i) window->document().undo_stack().undo();
+    for (int i = 0; i < 3; ++i) window->document().view_stack().undo();
     QVERIFY(view_of(window) == new_project().view);
     QVERIFY(window.settle());
   }

@@ -98,9 +98,9 @@ class EditorWidgets : public QObject {
     // A display of the config has views of its own.
     choose(combo_called(window, "Display"), QStringLiteral("sRGB - Display"));
     QVERIFY(view.findText(QStringLiteral("Khronos PBR Neutral")) < 0);
-    window->document().undo_stack().undo();
+    window->document().view_stack().undo();
     QCOMPARE(view.currentText(), QStringLiteral("Khronos PBR Neutral"));
-    window->document().undo_stack().undo();
+    window->document().view_stack().undo();
     QVERIFY(window->document().project().view.tone == Tone::plain);
     QCOMPARE(view.currentIndex(), 0);
   }
@@ -227,14 +227,19 @@ class EditorWidgets : public QObject {
         field->box().setValue(other);
         QVERIFY2(std::abs(field->value() - other) < 1e-6, qPrintable(field->accessibleName()));
         const Project edited = document.project();
-        const int steps = document.undo_stack().count();
+        const auto steps_of_both = [&] {
+          return document.undo_stack().count() + document.view_stack().count();
+        };
+        const int edits = document.undo_stack().count(), steps = steps_of_both();
         for (auto* button : field->findChildren<QToolButton*>())
           if (button->accessibleName().startsWith(QLatin1String("Reset"))) button->click();
-        QCOMPARE(document.undo_stack().count(), steps + 1);
+        QCOMPARE(steps_of_both(), steps + 1);
         QVERIFY2(field->value() != other, qPrintable(field->accessibleName()));
-        document.undo_stack().undo();
+        QUndoStack& stack =
+            document.undo_stack().count() > edits ? document.undo_stack() : document.view_stack();
+        stack.undo();
         QVERIFY(document.project() == edited);
-        document.undo_stack().redo();
+        stack.redo();
         ++checked;
       }
     };
@@ -386,9 +391,12 @@ class EditorWidgets : public QObject {
     view.exposure = 2;
     document.edit_view(view, QStringLiteral("exposure"), 2);
     const Project end = document.project();
-    while (document.undo_stack().canUndo()) document.undo_stack().undo();
+    QUndoStack* const stacks[] = {&document.undo_stack(), &document.view_stack()};
+    for (QUndoStack* each : stacks)
+      while (each->canUndo()) each->undo();
     QVERIFY(document.project() == new_project());
-    while (document.undo_stack().canRedo()) document.undo_stack().redo();
+    for (QUndoStack* each : stacks)
+      while (each->canRedo()) each->redo();
     QVERIFY(document.project() == end);
   }
 

@@ -55,18 +55,28 @@ class Edit : public QUndoCommand {
   std::pair<int, int> place_and_press_;
 };
 
+// A view with the lights of another one.
+ProjectView with_lights(ProjectView view, const ProjectView& lit) {
+  view.lights = lit.lights;
+  view.environment_turn_deg = lit.environment_turn_deg;
+  return view;
+}
+
 }  // namespace
 
 Document::Document(std::shared_ptr<const MaterialLibrary> library, QObject* parent)
     : QObject(parent), builtin_(std::move(library)), all_(builtin_), project_(new_project()) {
-  undo_.setUndoLimit(1000);
-  connect(&undo_, &QUndoStack::cleanChanged, this, &Document::saved_changed);
+  for (QUndoStack* each : {&undo_, &looked_}) {
+    each->setUndoLimit(1000);
+    connect(each, &QUndoStack::cleanChanged, this, &Document::saved_changed);
+  }
 }
 
 Document::~Document() {
   // The stack clears itself in its destructor; its signals must not reach objects that ask this document,
   // which is partly destroyed by then.
   undo_.disconnect();
+  looked_.disconnect();
 }
 
 const ProjectMaterial* Document::material() const {
@@ -112,8 +122,17 @@ void Document::edit(int index, const ProjectMaterial& to, const QString& what, i
 
 void Document::edit_view(const ProjectView& to, const QString& what, int press_id) {
   if (to == project_.view) return;
-  const auto put_it = [this](const ProjectView& view) { put_view(view); };
-  undo_.push(new Edit<ProjectView>(what, project_.view, to, put_it, {0, press_id}));
+  // Each step puts its own part alone, as the other stack may be at another place then.
+  const ProjectView before = project_.view;
+  const ProjectView lit = with_lights(before, to), looked = with_lights(to, before);
+  if (lit != before)
+    undo_.push(new Edit<ProjectView>(
+        what, before, lit, [this](const ProjectView& view) { put_view(with_lights(project_.view, view)); },
+        {0, press_id}));
+  if (looked != before)
+    looked_.push(new Edit<ProjectView>(
+        what, before, looked, [this](const ProjectView& view) { put_view(with_lights(view, project_.view)); },
+        {0, press_id}));
 }
 
 void Document::change_material(const QString& what, int press_id,
@@ -205,6 +224,7 @@ void Document::rename(int index, const std::string& name) {
 
 void Document::replace(Project project, const QString& path, bool saved) {
   undo_.clear();
+  looked_.clear();
   project_ = std::move(project);
   path_ = path;
   recovered_ = !saved;
@@ -240,6 +260,7 @@ void Document::mark_saved(const QString& path) {
   path_ = path;
   recovered_ = false;
   undo_.setClean();
+  looked_.setClean();
   emit saved_changed();
 }
 

@@ -14,7 +14,9 @@
 namespace etak::editor {
 
 /// The project in work and its current material. Every change goes through this class, is one step of undo
-/// and emits a signal. Changes with the same press id and the same text become one step.
+/// and emits a signal. Changes with the same press id and the same text become one step. How the materials are looked at
+/// (comparison, exposure, display, backdrop, shape) has steps of its own, so that undoing an edit does not undo a look
+/// around; lights are edits as those of materials are.
 class Document : public QObject {
   Q_OBJECT
 
@@ -26,6 +28,7 @@ class Document : public QObject {
   /// The library with the project's own spectra over it; may be handed to other threads.
   const std::shared_ptr<const MaterialLibrary>& library() const { return all_; }
   QUndoStack& undo_stack() { return undo_; }
+  QUndoStack& view_stack() { return looked_; }
 
   int current() const { return current_; }  // index of the current material; -1: there is none
   const ProjectMaterial* material() const;
@@ -64,7 +67,7 @@ class Document : public QObject {
   const QString& path() const { return path_; }
   QString folder() const;  // folder of the project's file; empty: the project was never saved
   QString title() const;
-  bool is_saved() const { return undo_.isClean() && !recovered_; }
+  bool is_saved() const { return undo_.isClean() && looked_.isClean() && !recovered_; }
   void mark_saved(const QString& path);
   /// Sets the file of a project that was changed while it was written: the file does not hold these changes,
   /// so the project is not marked as saved.
@@ -93,7 +96,7 @@ class Document : public QObject {
 
   std::shared_ptr<const MaterialLibrary> builtin_, all_;
   Project project_;
-  QUndoStack undo_;
+  QUndoStack undo_, looked_;
   QString path_;
   std::vector<int> marked_;
   int current_ = -1, revision_ = 0, generation_ = 0;

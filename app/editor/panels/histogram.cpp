@@ -23,7 +23,7 @@ constexpr int bar_height = 48;
 Histogram::Histogram(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Histogram"));
   setFixedHeight(bar_height);
-  setMinimumWidth(128);
+  setMinimumWidth(64);
 }
 
 void Histogram::show_picture(const QImage& picture, bool f0) {

@@ -61,9 +61,8 @@ LibraryModel::LibraryModel(Thumbnails& thumbnails, QObject* parent)
 }
 
 void LibraryModel::set_library(std::shared_ptr<const MaterialLibrary> library) {
-  beginResetModel();
   library_ = std::move(library);
-  rows_.clear();
+  std::vector<Row> next;
   for (std::size_t i = 0; i < library_->ids().size(); ++i) {
     const Material m = library_->at(i);
     Row row{QString::fromStdString(m.id),
@@ -78,9 +77,36 @@ void LibraryModel::set_library(std::shared_ptr<const MaterialLibrary> library) {
     row.keys = search_key(row.keys);
     row.names = {search_key(row.id), search_key(row.name)};
     for (const std::string& alias : m.aliases) row.names << search_key(QString::fromStdString(alias));
-    rows_.push_back(std::move(row));
+    next.push_back(std::move(row));
   }
-  endResetModel();
+  take_rows(std::move(next));
+}
+
+// Rows that are there again stay the rows that they are, so that views keep their place and what is marked in them.
+void LibraryModel::take_rows(std::vector<Row> next) {
+  QSet<QString> before, after;
+  for (const Row& row : rows_) before.insert(row.id);
+  for (const Row& row : next) after.insert(row.id);
+  for (std::size_t i = rows_.size(); i-- > 0;) {
+    if (after.contains(rows_[i].id)) continue;
+    beginRemoveRows({}, static_cast<int>(i), static_cast<int>(i));
+    rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(i));
+    endRemoveRows();
+  }
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const bool known = before.contains(next[i].id);
+    if (known && i < rows_.size() && rows_[i].id == next[i].id) continue;
+    if (known) {  // in another order: no change of a library gives one
+      beginResetModel();
+      rows_ = std::move(next);
+      return endResetModel();
+    }
+    beginInsertRows({}, static_cast<int>(i), static_cast<int>(i));
+    rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(i), next[i]);
+    endInsertRows();
+  }
+  rows_ = std::move(next);
+  if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1));
 }
 
 void LibraryModel::set_shape(Shape shape) {
@@ -196,6 +222,12 @@ bool LibraryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) 
   return a != b ? a < b : left.row() < right.row();
 }
 
+void LibraryFilter::set_favourites(const QSet<QString>& favourites, bool only) {
+  favourites_ = favourites;
+  only_favourites_ = only;
+  invalidateFilter();
+}
+
 void LibraryFilter::set_class(const QString& material_class) {
   class_ = material_class;
   invalidateFilter();
@@ -204,6 +236,7 @@ void LibraryFilter::set_class(const QString& material_class) {
 bool LibraryFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
   const QModelIndex at = sourceModel()->index(row, 0, parent);
   if (!near_.isEmpty()) return near_.contains(at.data(LibraryModel::id_role).toString());
+  if (only_favourites_ && !favourites_.contains(at.data(LibraryModel::id_role).toString())) return false;
   if (!class_.isEmpty() && at.data(LibraryModel::class_role).toString() != class_) return false;
   const QString keys = at.data(LibraryModel::keys_role).toString();
   return std::all_of(words_.begin(), words_.end(), [&](const QString& word) { return keys.contains(word); });

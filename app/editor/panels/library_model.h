@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractListModel>
+#include <QSet>
 #include <QSortFilterProxyModel>
 #include <memory>
 #include <vector>
@@ -38,6 +39,7 @@ class LibraryModel : public QAbstractListModel {
     QStringList names;    // search keys of id, name and aliases
     bool marked = false;  // the data are computed, sparse or doubtful: the picture gets a dot
   };
+  void take_rows(std::vector<Row> next);
   QString about(const Row& row) const;  // name, class, id, and in sentences what the data are worth
 
   std::shared_ptr<const MaterialLibrary> library_;
@@ -59,6 +61,8 @@ class LibraryFilter : public QSortFilterProxyModel {
   ///   near   ids of materials, nearest first, that are shown in place of what matches; none: what matches is
   void set_search(const QString& text, const QStringList& near = {});
   void set_class(const QString& material_class);  // empty: all
+  ///   only   no others are shown
+  void set_favourites(const QSet<QString>& favourites, bool only);
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
@@ -69,6 +73,8 @@ class LibraryFilter : public QSortFilterProxyModel {
 
   QStringList words_, near_;
   QString class_;
+  QSet<QString> favourites_;
+  bool only_favourites_ = false;
 };
 
 /// The form of a text that a search compares: lower case, without diacritical marks, blanks for '_' and '-'.

@@ -56,7 +56,10 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
   search_->setPlaceholderText(tr("Search (Ctrl+F)"));
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Search the library"));
-  column->addWidget(search_);
+  auto* top = new QHBoxLayout;
+  column->addLayout(top);
+  top->addWidget(search_, 1);
+  make_favourites(*top);
   chips_->setAccessibleName(tr("Classes"));
   column->addWidget(chips_);
 
@@ -111,6 +114,7 @@ void LibraryPanel::connect_list() {
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     if (!narrowing_ && !list_->is_entered() && !selected().isEmpty()) emit looked_at(selected());
   });
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, &LibraryPanel::show_star);
   // A click on the current row does not change it, but must start the preview as well.
   connect(list_, &QListView::clicked, this, [this] {
     if (!selected().isEmpty()) emit looked_at(selected());
@@ -118,6 +122,39 @@ void LibraryPanel::connect_list() {
   connect(list_, &QListView::activated, this, [this] {
     if (!selected().isEmpty()) emit wanted(selected());
   });
+}
+
+void LibraryPanel::make_favourites(QBoxLayout& row) {
+  star_ = add_button(row, QString(QChar(0x2606)), tr("Mark the selected material as a favourite"),
+                     tr("Favourite"));
+  star_->setCheckable(true);
+  only_ = add_button(row, tr("\u2605 only"), tr("Show the favourites alone"), tr("Favourites only"));
+  only_->setCheckable(true);
+  connect(star_, &QToolButton::clicked, this, [this](bool on) {
+    const QString id = selected();
+    if (id.isEmpty()) return show_star();
+    if (on)
+      favourites_.insert(id);
+    else
+      favourites_.remove(id);
+    show_favourites(favourites_);
+    emit favourites_changed(favourites_);
+  });
+  connect(only_, &QToolButton::toggled, this, [this] { show_favourites(favourites_); });
+  show_star();
+}
+
+void LibraryPanel::show_favourites(const QSet<QString>& favourites) {
+  favourites_ = favourites;
+  narrow([&] { filter_.set_favourites(favourites_, only_->isChecked()); });
+  show_star();
+}
+
+void LibraryPanel::show_star() {
+  const bool on = favourites_.contains(selected());
+  star_->setEnabled(!selected().isEmpty());
+  star_->setChecked(on);
+  star_->setText(QString(QChar(on ? 0x2605 : 0x2606)));
 }
 
 void LibraryPanel::set_library(std::shared_ptr<const MaterialLibrary> library) {

@@ -6,10 +6,12 @@
 
 #include "app/editor/panels/library_model.h"
 
+class QBoxLayout;
 class QButtonGroup;
 class QLabel;
 class QLineEdit;
 class QListView;
+class QToolButton;
 
 namespace etak::editor {
 
@@ -28,16 +30,21 @@ class LibraryPanel : public QWidget {
   QLineEdit& search() { return *search_; }
   QListView& list();
   QString selected() const;  // id of the selected material; empty: none
+  /// The materials that the user has marked with a star, by their ids.
+  void show_favourites(const QSet<QString>& favourites);
   /// Moves the selection by so many rows; after the last row comes the first.
   void step(int rows);
 
  signals:
   void looked_at(const QString& id);  // the user has selected the material: it is to be previewed
   void wanted(const QString& id);     // the material is to be added to the project
+  void favourites_changed(const QSet<QString>& favourites);
 
  private:
   void connect_list();
   void make_chips();
+  void make_favourites(QBoxLayout& row);
+  void show_star();
   void search_for(const QString& text);
   void tell_count();
   void narrow(const std::function<void()>& change);
@@ -51,6 +58,8 @@ class LibraryPanel : public QWidget {
   FlowLayout* chip_row_;
   QButtonGroup* chip_group_;
   QLabel *answer_, *count_;
+  QSet<QString> favourites_;
+  QToolButton *star_ = nullptr, *only_ = nullptr;
   bool narrowing_ = false;
 };
 

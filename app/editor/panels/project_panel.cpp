@@ -4,6 +4,7 @@
 #include <QIcon>
 #include <QItemSelectionModel>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListView>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -146,10 +147,12 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, Validator
     : QWidget(parent),
       document_(document),
       model_(document, thumbnails, validator),
+      search_(new QLineEdit(this)),
       list_(new QListView(this)),
       marked_(quiet_label(tr("Marked materials"), this)) {
   setAccessibleName(tr("Project"));
   auto* column = panel_column(this, 4);
+  make_search(*column);
   // While rows go, the list chooses a row by itself; the document knows which one is the current one then.
   // Connected before the list is, so that the list's choice finds the flag.
   connect(&model_, &ProjectModel::rowsAboutToBeRemoved, this, [this] { showing_ = true; });
@@ -157,7 +160,8 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, Validator
     showing_ = false;
     show_marked();
   });
-  list_->setModel(&model_);
+  shown_.setSourceModel(&model_);
+  list_->setModel(&shown_);
   list_->setIconSize({row_side, row_side});
   list_->setUniformItemSizes(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
@@ -179,7 +183,7 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, Validator
           [this](const QModelIndex& now) {
             if (showing_ || !now.isValid()) return;
             showing_ = true;  // the list decides which rows are marked beside it
-            document_.set_current(now.row());
+            document_.set_current(shown_.mapToSource(now).row());
             showing_ = false;
             show_marked();
           });
@@ -191,21 +195,53 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, Validator
   show_marked();
 }
 
+void ProjectPanel::make_search(QBoxLayout& column) {
+  auto* row = new QHBoxLayout;
+  column.addLayout(row);
+  search_->setPlaceholderText(tr("Search"));
+  search_->setClearButtonEnabled(true);
+  search_->setAccessibleName(tr("Search the project"));
+  search_->setProperty("search", true);
+  row->addWidget(search_, 1);
+  auto* sort =
+      add_button(*row, tr("A\u2013Z"), tr("In the order of the names, in place of that of the project"),
+                 tr("Sort by name"));
+  sort->setCheckable(true);
+  shown_.setFilterCaseSensitivity(Qt::CaseInsensitive);
+  shown_.setSortCaseSensitivity(Qt::CaseInsensitive);
+  connect(search_, &QLineEdit::textChanged, this,
+          [this](const QString& text) { arrange([&] { shown_.setFilterFixedString(text.trimmed()); }); });
+  connect(sort, &QToolButton::toggled, this, [this](bool on) { arrange([&] { shown_.sort(on ? 0 : -1); }); });
+}
+
+// The list chooses another row where its own goes, which is no choice of the user.
+void ProjectPanel::arrange(const std::function<void()>& change) {
+  showing_ = true;
+  change();
+  showing_ = false;
+  show_current();
+}
+
+QModelIndex ProjectPanel::shown_row(int row) const {
+  return shown_.mapFromSource(model_.index(row, 0));
+}
+
 std::vector<int> ProjectPanel::selected() const {
   std::vector<int> out;
-  for (const QModelIndex& each : list_->selectionModel()->selectedIndexes()) out.push_back(each.row());
+  for (const QModelIndex& each : list_->selectionModel()->selectedIndexes())
+    out.push_back(shown_.mapToSource(each).row());
   std::sort(out.begin(), out.end());
   return out;
 }
 
 std::vector<int> ProjectPanel::in_hand() const {
   std::vector<int> out = selected();
-  if (out.empty() && document_.current() >= 0) out.push_back(document_.current());
+  if (out.empty() && shown_row(document_.current()).isValid()) out.push_back(document_.current());
   return out;
 }
 
 void ProjectPanel::show_current() {
-  const QModelIndex now = model_.index(document_.current(), 0);
+  const QModelIndex now = shown_row(document_.current());
   QItemSelectionModel* selection = list_->selectionModel();
   // Where the row is the current one already, the other selected rows stay selected.
   if (showing_ || (list_->currentIndex() == now && (!now.isValid() || selection->isSelected(now))))

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <QAbstractListModel>
+#include <QSortFilterProxyModel>
 #include <QWidget>
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/thumbnails.h"
 #include "app/editor/document/validator.h"
 
+class QBoxLayout;
 class QLabel;
+class QLineEdit;
 class QListView;
 
 namespace etak::editor {
@@ -32,15 +35,18 @@ class ProjectModel : public QAbstractListModel {
 };
 
 /// The list of the project's materials: the user selects one, renames it (F2), adds one, and copies or removes
-/// those that are marked.
+/// those that are marked. A search hides the others, and rows can stand in the order of their names; both change nothing of
+/// the project.
 class ProjectPanel : public QWidget {
   Q_OBJECT
 
  public:
   ProjectPanel(Document& document, Thumbnails& thumbnails, Validator& validator, QWidget* parent = nullptr);
   QListView& list() { return *list_; }
-  std::vector<int> selected() const;  // the selected rows in ascending order
-  std::vector<int> in_hand() const;   // the selected rows, or the current one where none is selected
+  QLineEdit& search() { return *search_; }
+  // The selected rows of the project in ascending order; a row that the search hides is not selected.
+  std::vector<int> selected() const;
+  std::vector<int> in_hand() const;  // the selected rows, or the current one where none is selected
 
  signals:
   void new_asked();
@@ -51,8 +57,13 @@ class ProjectPanel : public QWidget {
  private:
   void show_current();
   void show_marked();
+  void make_search(QBoxLayout& column);
+  void arrange(const std::function<void()>& change);
+  QModelIndex shown_row(int row) const;
   Document& document_;
   ProjectModel model_;
+  QSortFilterProxyModel shown_;
+  QLineEdit* search_;
   QListView* list_;
   QLabel* marked_;  // what is said where several materials are marked
   bool showing_ = false;

@@ -58,7 +58,7 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
             ? tr("A picture that the number above multiplies, where the material is drawn and exported")
             : tr("A picture in the place of the number, where the material is packed and drawn"));
     connect(row.path, &QLineEdit::editingFinished, this,
-            [this, channel, path = row.path] { set(channel, path->text().trimmed()); });
+            [this, channel, path = row.path] { type(channel, *path); });
     connect(open, &QToolButton::clicked, this, [this, channel, title, path = row.path] {
       const QString now = path->text();
       const QString file = QFileDialog::getOpenFileName(
@@ -124,6 +124,18 @@ void TextureSection::take_drop(Channel channel, const QStringList& files) {
             ? tr("%1: a channel has one picture; %2 was taken").arg(name, QFileInfo(*first).fileName())
             : tr("%1 is no picture; expected %2").arg(name, picture_patterns()));
   }
+}
+
+// What is typed is looked at as what is dropped; until it is taken the line says what holds.
+void TextureSection::type(Channel channel, QLineEdit& line) {
+  const ProjectMaterial* m = document_.material();
+  const QString typed = line.text().trimmed();
+  const auto& texture = m != nullptr ? m->texture(channel) : std::nullopt;
+  const QString now = texture ? qt_text(texture->path) : QString();
+  if (typed == now || m == nullptr) return;
+  if (typed.isEmpty()) return set(channel, {});
+  line.setText(now);
+  emit dropped(channel, typed);
 }
 
 void TextureSection::set(Channel channel, const QString& path) {

@@ -35,6 +35,7 @@ class TextureSection : public Section {
  private:
   void make_scale();
   void set(Channel channel, const QString& path);
+  void type(Channel channel, QLineEdit& line);
   void take_drop(Channel channel, const QStringList& files);
   struct Row {
     PathEdit* path = nullptr;
