@@ -125,7 +125,8 @@ TEST_CASE("no block on a clean level holds texels of two regions, by layout.json
       const auto some = [&] { return 20 + static_cast<int>(random() % 130); };
       const int width = round == 2 ? 64 : some(), height = round == 2 ? 64 : some();
       entries.push_back(blocks_material(folder, "m" + std::to_string(i), width, height,
-                                        static_cast<unsigned>(random() % 99), 2));
+                                        static_cast<unsigned>(100 * i) + static_cast<unsigned>(random() % 99),
+                                        2));
     }
     const std::string sides = std::to_string(side) + 'x' + std::to_string(side);
     PackOptions options = in_blocks(side == 4 ? "bc7" : "astc:" + sides, {"ktx2"});
