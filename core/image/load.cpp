@@ -43,7 +43,11 @@ std::optional<Picture> texture_file(std::string_view bytes, const std::string& l
   TextureFile file = ktx2 ? read_ktx2(bytes, label, door.astc) : read_dds(bytes, label);
   Picture out{header_of(file.levels.front()), {}};
   out.header.format = format;
-  out.header.lossy = file.blocks != nullptr;
+  if (file.blocks != nullptr) {
+    out.header.lossy = true;
+    out.header.blocks = file.blocks->name;
+    out.header.bits_per_texel = bits_per_texel(*file.blocks);
+  }
   if (file.srgb) out.header.colour_space = "srgb";
   out.pixels = std::move(file.levels.front());
   return out;

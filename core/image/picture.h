@@ -35,7 +35,9 @@ struct PictureHeader {
   // own", or "icc: NAME" for a colour profile that icc_colors() cannot read; empty where the file declares
   // none.
   std::string colour_space{};
-  std::string primaries{};  // of the colour profile, as icc_colors() names them; empty without one
+  std::string primaries{};    // of the colour profile, as icc_colors() names them; empty without one
+  std::string blocks{};       // of a texture in blocks: the name of their format, as block_formats has it
+  double bits_per_texel = 0;  // of these blocks
   friend bool operator==(const PictureHeader&, const PictureHeader&) = default;
 };
 

@@ -41,6 +41,10 @@ inline constexpr std::array block_formats{
     BlockFormat{"ASTC 8x6", BlockCode::astc, 16, 4, 169, 170, 0, 0, 8, 6},
     BlockFormat{"ASTC 8x8", BlockCode::astc, 16, 4, 171, 172, 0, 0, 8, 8}};
 
+inline double bits_per_texel(const BlockFormat& format) {
+  return 8 * static_cast<double>(format.block_bytes) / (format.block_width * format.block_height);
+}
+
 /// The row of block_formats whose number in KTX2 or DDS files this is, for sRGB-encoded colour or not; null for
 /// others.
 const BlockFormat* block_format_of_vk(std::uint32_t vk);

@@ -10,7 +10,7 @@ constinit const Rule etk005_lossy_format{
     .severity = {Severity::warning, Severity::error},
     .needs = {Need::header},
     .source = "etak: chroma subsampling alone moves the channels of a grey apart by more than ETK106 allows",
-    .what = "JPEG or lossy WebP holds F0, gloss or metal-rough.",
+    .what = "JPEG or lossy WebP holds F0, gloss or metal-rough. Textures in blocks for a GPU are for ETK017.",
     .why = "Block noise becomes false F0 and false roughness, and subsampled chroma colours dielectrics.",
     .example = "An ORM texture saved as JPEG to save disk.",
     .fix = "Keep F0 and gloss in PNG, EXR or a lossless texture container.",
@@ -18,7 +18,7 @@ constinit const Rule etk005_lossy_format{
       for (const PictureEvidence& picture : check.evidence.headers) {
         const bool holds_f0 = picture.role == FileRole::specular_gloss || picture.role == FileRole::f0_only ||
                               (traits(picture.role).data && picture.role != FileRole::gloss);
-        if (!picture.header.lossy || !holds_f0) continue;
+        if (!picture.header.lossy || !picture.header.blocks.empty() || !holds_f0) continue;
         Finding& finding = check.report(picture);
         finding.value = picture.header.format;
         finding.message =

@@ -136,7 +136,7 @@ ErrorTimeTable block_table(const MadePage& page, Texture texture, std::vector<Ti
   for (const Way& way : block_ways()) {
     const BlockCodec codec(*block_format_named(way.format), *door);
     const BlockErrors found = errors_of(page.pixels, codec, way, *measure);
-    const double bits = 8 * double(codec.format().block_bytes) / double(codec.texels());
+    const double bits = bits_per_texel(codec.format());
     const auto count = static_cast<double>(page.pixels.pixel_count());
     ErrorTimeRow row;
     row.id = way.id;

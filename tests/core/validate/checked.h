@@ -24,6 +24,13 @@ inline CheckedFile checked(const CheckTarget& target, const Settings& settings =
   return report_on({target}, settings, threads).files.at(0);
 }
 
+/// One picture alone.
+inline CheckTarget single(FileRole role, const std::string& path, const std::string& label) {
+  CheckTarget target;
+  target.files = {{role, path, label, false}};
+  return target;
+}
+
 /// The first finding of a rule; null: none.
 inline const Finding* find(const CheckedFile& file, std::string_view rule) {
   const auto found = std::ranges::find(file.findings, rule, &Finding::rule);

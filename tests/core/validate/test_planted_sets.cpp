@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/findings/output/formats.h"
+#include "tests/core/image/block_files.h"
 #include "tests/core/validate/checked.h"
 #include "tests/core/validate/planted_sets.h"
 #include "tests/core/validate/repaired.h"
@@ -105,5 +106,41 @@ TEST_CASE("a file that cannot be read is no fault of the sound map beside it") {
     for (const CheckedFile& file : report_on_files(files).files)
       for (const Finding& finding : file.findings)
         CHECK((finding.rule != "ETK011" || finding.file == "wall_roughness.png"));
+  }
+}
+
+TEST_CASE("textures whose blocks cannot hold what they are for are told by their format") {
+  struct Row {
+    FileRole role;
+    std::string_view format;
+    Severity told;  // off: not at all
+  };
+  const Row rows[] = {{FileRole::specular_gloss, "BC1", Severity::error},
+                      {FileRole::specular_gloss, "BC2", Severity::error},
+                      {FileRole::specular_gloss, "BC3", Severity::off},
+                      {FileRole::specular_gloss, "BC7", Severity::off},
+                      {FileRole::specular_gloss, "ASTC 4x4", Severity::off},
+                      {FileRole::specular_gloss, "ASTC 6x6", Severity::warning},
+                      {FileRole::diffuse_alpha, "ASTC 8x8", Severity::off},
+                      {FileRole::diffuse_alpha, "BC1", Severity::off},
+                      {FileRole::f0_only, "BC1", Severity::warning},
+                      {FileRole::metal_rough, "BC3", Severity::warning},
+                      {FileRole::metal_rough, "BC7", Severity::off}};
+  const TempFolder folder;
+  for (const Row& row : rows) {
+    CAPTURE(static_cast<int>(row.role), row.format);
+    const BlockFormat& format = *block_format_named(row.format);
+    const BlockTexture texture = random_blocks(format, 48, 48, 3);
+    const auto sides = static_cast<unsigned>((format.block_height - 1) << 8 | (format.block_width - 1));
+    const bool astc = format.code == BlockCode::astc;
+    const std::string path = folder.file(astc ? "x.ktx2" : "x.dds");
+    spit(path,
+         astc ? ktx2_of(texture, format.vk_srgb, block_descriptor(162, true, 16, {{0, 128, 0}}, sides), false)
+              : dds_of(texture, "", format.dxgi));
+    const CheckedFile file = checked(single(row.role, path, "x"));
+    const Finding* const found = find(file, "ETK017");
+    CHECK((found == nullptr ? Severity::off : found->severity) == row.told);
+    CHECK(find(file, "ETK005") == nullptr);  // that is for JPEG and WebP
+    if (found != nullptr) CHECK(found->value == row.format);
   }
 }

@@ -32,12 +32,6 @@ CheckTarget pair_of(const std::string& a, const std::string& b) {
   return target;
 }
 
-CheckTarget single(FileRole role, const std::string& path, const std::string& label) {
-  CheckTarget target;
-  target.files = {{role, path, label, false}};
-  return target;
-}
-
 std::string rules_and_messages(const CheckedFile& file) {
   std::string text;
   for (const Finding& f : file.findings) text += f.rule + " " + f.message + "\n";
