@@ -15,6 +15,7 @@
 #include "core/atlas/pack/stages.h"
 #include "core/atlas/pack/table.h"
 #include "core/atlas/sources/floats.h"
+#include "core/atlas/sources/masked.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/output_folder.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "core/atlas/sources/floats.h"
 #include "core/atlas/sources/sources.h"

@@ -10,13 +10,14 @@
 
 #include "core/atlas/leave_out.h"
 #include "core/atlas/manifest.h"
-#include "core/atlas/sources/masked.h"
 #include "core/atlas/sources/plane.h"
 #include "core/image/channels.h"
 #include "core/image/material_pair.h"
 #include "core/material/library.h"
 
 namespace etak {
+
+struct MaskedSource;  // core/atlas/sources/masked.h
 
 /// What a sampler does at the edges of a picture, by axis.
 using WrapBoth = std::array<Wrap, 2>;
