@@ -174,7 +174,10 @@ RectLayout pack_fresh(std::span<const RectSize> sizes, const RectOptions& option
   if (sizes.empty()) return {};
   const Prepared prepared = prepare(sizes, options);
   const Set& set = prepared.set;
-  const Frame& frame = prepared.frame;
+  Frame frame = prepared.frame;
+  // A square is one search, where a free page has one for each width: ten times the tries still take less.
+  constexpr int square_tries = 10, most_tries = 1'000'000;
+  if (frame.form == PageForm::square) frame.effort = std::min(most_tries, square_tries * frame.effort);
   Budget budget(options.effort, set.size(), options.max_seconds);
   std::optional<Packed> packed;
   switch (options.form) {

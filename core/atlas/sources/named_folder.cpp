@@ -45,9 +45,9 @@ std::vector<std::string> pictures_in(const std::string& folder, std::vector<std:
 }
 
 // Makes the material of one set of pictures.
-class NamedMaterial {
+class FolderMaterial {
  public:
-  NamedMaterial(const PictureSet& set, std::span<const NamedPicture> same, const PictureDoor& door)
+  FolderMaterial(const PictureSet& set, std::span<const NamedPicture> same, const PictureDoor& door)
       : set_(set), same_(same), door_(door) {}
 
   // Returns what is missing; empty: nothing is, and `material` is whole but for its name.
@@ -154,7 +154,7 @@ AtlasManifest manifest_of_names(const std::string& folder, const PictureDoor& do
           name.version)
         continue;
       ManifestMaterial material;
-      const std::string what = NamedMaterial(set, same, door).make(material, has_gloss);
+      const std::string what = FolderMaterial(set, same, door).make(material, has_gloss);
       if (!what.empty()) {
         missing.push_back(first.path + ": " + what + ": left out");
         continue;
