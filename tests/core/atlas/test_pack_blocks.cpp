@@ -199,6 +199,7 @@ TEST_CASE(
       const PackResult result = pack_text(folder, manifest, options);
       files.push_back(slurp(folder.file("out/page0_specular_gloss.ktx2")));
       const TextureFile texture = ktx2_page(folder, "specular_gloss");
+      const AtlasLayout layout = packed_layout(folder);
       CHECK(texture.blocks->name == "ASTC " + sides);
       CHECK(texture.srgb);
       const Image8 exact = load_png(folder.file("out/page0_specular_gloss.png"));
@@ -208,7 +209,7 @@ TEST_CASE(
                           static_cast<std::size_t>((exact.height + side - 1) / side);
       CHECK((level->blocks == blocks && level->bytes == 16 * blocks));
       for (const BlockMaterial& m : level->materials) {
-        const AtlasRect& rect = rect_named(packed_layout(folder), m.id);
+        const AtlasRect& rect = rect_named(layout, m.id);
         double colour = 0;
         for (int y = rect.y; y < rect.y + rect.height; ++y)
           for (int x = rect.x; x < rect.x + rect.width; ++x)
