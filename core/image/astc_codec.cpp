@@ -32,23 +32,24 @@ struct Kind {
 
 using Context = std::unique_ptr<astcenc_context, decltype(&astcenc_context_free)>;
 
+void check_done(astcenc_error error) {
+  if (error == ASTCENC_ERR_OUT_OF_MEM) throw std::bad_alloc();
+  if (error != ASTCENC_SUCCESS) throw Error::at("ASTC", astcenc_get_error_string(error), "astcenc to work");
+}
+
 Context new_context(const Kind& kind) {
   const std::array presets{ASTCENC_PRE_FAST, ASTCENC_PRE_MEDIUM, ASTCENC_PRE_THOROUGH,
                            ASTCENC_PRE_VERYTHOROUGH};
   astcenc_config config{};
   astcenc_context* context = nullptr;
-  const auto checked = [](astcenc_error error) {
-    if (error == ASTCENC_ERR_OUT_OF_MEM) throw std::bad_alloc();
-    if (error != ASTCENC_SUCCESS) throw Error::at("ASTC", astcenc_get_error_string(error), "astcenc to work");
-  };
   const auto effort = static_cast<std::size_t>(std::clamp(kind.how.effort, 1, most_block_effort) - 1);
-  checked(astcenc_config_init(kind.how.srgb ? ASTCENC_PRF_LDR_SRGB : ASTCENC_PRF_LDR,
-                              static_cast<unsigned>(kind.how.format->block_width),
-                              static_cast<unsigned>(kind.how.format->block_height), 1, presets[effort],
-                              kind.decodes ? ASTCENC_FLG_DECOMPRESS_ONLY : 0, &config));
+  check_done(astcenc_config_init(kind.how.srgb ? ASTCENC_PRF_LDR_SRGB : ASTCENC_PRF_LDR,
+                                 static_cast<unsigned>(kind.how.format->block_width),
+                                 static_cast<unsigned>(kind.how.format->block_height), 1, presets[effort],
+                                 kind.decodes ? ASTCENC_FLG_DECOMPRESS_ONLY : 0, &config));
   const std::array to{&config.cw_r_weight, &config.cw_g_weight, &config.cw_b_weight, &config.cw_a_weight};
   for (std::size_t c = 0; c < to.size(); ++c) *to[c] = std::exp2(static_cast<float>(kind.weights[c]));
-  checked(astcenc_context_alloc(&config, 1, &context));
+  check_done(astcenc_context_alloc(&config, 1, &context));
   return {context, &astcenc_context_free};
 }
 
@@ -85,11 +86,6 @@ class Contexts {
 Contexts& contexts() {
   static Contexts all;
   return all;
-}
-
-void check_done(astcenc_error error) {
-  if (error == ASTCENC_ERR_OUT_OF_MEM) throw std::bad_alloc();
-  if (error != ASTCENC_SUCCESS) throw Error::at("ASTC", astcenc_get_error_string(error), "astcenc to work");
 }
 
 // The weights of a block as powers of 2, the greatest of which is 1: blocks of equal ones are compressed together.

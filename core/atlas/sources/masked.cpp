@@ -208,6 +208,27 @@ std::vector<std::uint8_t> parts_of(const MaskedSource& source, int width, int he
   return parts_of_mask(mask.image, codes, source.colors, source.mask.path);
 }
 
+// The texels of both textures.
+//   of   the material of each texel
+MaterialPair pair_of(const MaskedSource& source, const std::vector<std::uint8_t>& of, int width, int height) {
+  const std::vector<MaskedPart>& parts = source.parts;
+  MaterialPair out{Image8(width, height, 4), Image8(width, height, 4)};
+  const PlaneCodes opacity(source.alpha, width, height);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const PlaneCodes diffuse(parts[k].diffuse, width, height), gloss_codes(parts[k].gloss, width, height);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      if (of[i] != k) continue;
+      std::uint8_t* a = out.diffuse_alpha.values.data() + 4 * i;
+      std::uint8_t* b = out.specular_gloss.values.data() + 4 * i;
+      std::copy_n(diffuse.at(i), 3, a);
+      a[3] = *opacity.at(i);
+      std::copy_n(parts[k].specular.constant.data(), 3, b);
+      b[3] = *gloss_codes.at(i);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 int codes_apart(const MaskCode& a, const MaskCode& b) {
@@ -231,22 +252,7 @@ std::vector<const PlaneSource*> MaskedSource::pictures() const {
 }
 
 MaterialPair MaskedSource::pair(int width, int height) const {
-  const std::vector<std::uint8_t> of = parts_of(*this, width, height);
-  MaterialPair out{Image8(width, height, 4), Image8(width, height, 4)};
-  const PlaneCodes opacity(alpha, width, height);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const PlaneCodes diffuse(parts[k].diffuse, width, height), gloss_codes(parts[k].gloss, width, height);
-    for (std::size_t i = 0; i < of.size(); ++i) {
-      if (of[i] != k) continue;
-      std::uint8_t* a = out.diffuse_alpha.values.data() + 4 * i;
-      std::uint8_t* b = out.specular_gloss.values.data() + 4 * i;
-      std::copy_n(diffuse.at(i), 3, a);
-      a[3] = *opacity.at(i);
-      std::copy_n(parts[k].specular.constant.data(), 3, b);
-      b[3] = *gloss_codes.at(i);
-    }
-  }
-  return out;
+  return pair_of(*this, parts_of(*this, width, height), width, height);
 }
 
 FloatPair MaskedSource::floats(int width, int height) const {
@@ -274,8 +280,8 @@ std::vector<std::pair<std::string, std::string>> mask_files(const PackInput& mat
   if (!material.masked || !(material.masked->specular_gloss || material.masked->metal_rough)) return out;
   const MaskedSource& source = *material.masked;
   const int width = material.width, height = material.height;
-  const MaterialPair pair = source.pair(width, height);
   const std::vector<std::uint8_t> of = parts_of(source, width, height);
+  const MaterialPair pair = pair_of(source, of, width, height);
   std::string stem = identifier(material.name, '_');
   if (stem.empty()) stem = "material";
   const auto add = [&](std::size_t ending, int channels, bool srgb, const auto& put) {
