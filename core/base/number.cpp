@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
 
@@ -29,7 +30,7 @@ std::string number(double value, int digits) {
   return out;
 }
 
-std::string grouped(std::size_t value) {
+std::string grouped(std::uint64_t value) {
   std::string out = std::to_string(value);
   for (std::size_t at = out.size(); at > 3;) out.insert(at -= 3, 1, ',');
   return out;
@@ -44,7 +45,9 @@ std::size_t byte_size(std::string_view text, std::string_view option) {
   value *= static_cast<double>(std::size_t{1} << shift);
   if (!good || value < 1 || value > most)
     throw Error::at(option, printable(text), "a number of bytes, with K, M or G for more");
-  return static_cast<std::size_t>(value);
+  // Less than `most` where addresses have 32 bits: there is no more memory then.
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  return value < static_cast<double>(all) ? static_cast<std::size_t>(value) : all;
 }
 
 }  // namespace etak

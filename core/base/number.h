@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,7 +31,7 @@ void append_number(std::string& out, double value, int digits);
 std::string number(double value, int digits);
 
 /// A whole number with commas between thousands: "2,914".
-std::string grouped(std::size_t value);
+std::string grouped(std::uint64_t value);
 
 /// The bytes that "4096", "64K", "512M" or "2G" stand for. Throws Error that names the option.
 std::size_t byte_size(std::string_view text, std::string_view option);

@@ -72,7 +72,7 @@ std::span<const Term> terms() {
 const Term* find_term(TermKind kind, std::string_view id) {
   const auto found =
       std::ranges::find_if(all_terms, [&](const Term& t) { return t.kind == kind && t.id == id; });
-  return found == all_terms.end() ? nullptr : found;
+  return found == all_terms.end() ? nullptr : &*found;
 }
 
 void Term::f64(const Directions& d, const double* values, double rgb[3]) const {
@@ -121,7 +121,7 @@ const One<Real>& compiled(const Term& term) {
     for (const Term& each : all_terms) out.push_back(&compiled_by_name<Real>(each));
     return out;
   }();
-  return *of_terms[static_cast<std::size_t>(&term - std::begin(all_terms))];
+  return *of_terms[static_cast<std::size_t>(&term - all_terms.data())];
 }
 template const One<double>& compiled(const Term&);
 template const One<float>& compiled(const Term&);

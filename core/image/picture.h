@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,7 +21,8 @@
 namespace etak {
 
 /// Size of the largest picture file that is read, in bytes.
-inline constexpr std::size_t largest_picture_bytes = std::size_t{1} << 32;
+inline constexpr std::size_t largest_picture_bytes =
+    std::min<std::uint64_t>(std::uint64_t{1} << 32, std::numeric_limits<std::size_t>::max());
 
 /// What the header of a picture file says about the picture.
 struct PictureHeader {

@@ -229,7 +229,7 @@ std::vector<Outline> outlines(const TexelUse& use, std::size_t merge_cost) {
 
 std::vector<Island> islands(const TexelUse& use, int margin, std::size_t merge_cost) {
   assert(margin >= 0);
-  const auto per_box = static_cast<Area>(std::min(merge_cost, std::size_t{1} << 40));
+  const auto per_box = static_cast<Area>(std::min<std::uint64_t>(merge_cost, std::uint64_t{1} << 40));
   Splitter splitter(use, margin, per_box);
   std::vector<Box> boxes;
   if (!use.footprints.empty()) {

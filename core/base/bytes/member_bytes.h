@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -66,7 +67,7 @@ class MemberWriter {
   }
   template <class Value>
   void member(const Value& value) {
-    if constexpr (std::is_enum_v<Value>)
+    if constexpr (std::is_enum_v<Value> || std::is_unsigned_v<Value>)
       number(static_cast<std::uint64_t>(value));
     else
       members(*this, value);
@@ -142,6 +143,10 @@ class MemberReader {
     if constexpr (requires { last_of(value); }) {
       const std::uint64_t read = number();
       if (read > static_cast<std::uint64_t>(last_of(value))) return fail();
+      value = static_cast<Value>(read);
+    } else if constexpr (std::is_unsigned_v<Value>) {
+      const std::uint64_t read = number();
+      if (read > std::numeric_limits<Value>::max()) return fail();
       value = static_cast<Value>(read);
     } else {
       members(*this, value);

@@ -47,7 +47,7 @@ std::string json(bool value) {
   return value ? "true" : "false";
 }
 
-std::string json(std::size_t value) {
+std::string json(unsigned long long value) {
   return std::to_string(value);
 }
 

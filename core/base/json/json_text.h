@@ -20,7 +20,11 @@ std::string json(double value);           // "null" for NaN and infinity, which 
 std::string json(std::string_view text);  // quoted, valid UTF-8, quiet_json() of text.h
 std::string json(const char* text);
 std::string json(bool value);
-std::string json(std::size_t value);
+// Of these two types one is std::size_t and one std::uint64_t, which are the same where addresses have 64 bits.
+std::string json(unsigned long long value);
+inline std::string json(unsigned long value) {
+  return json(static_cast<unsigned long long>(value));
+}
 
 /// "[a, b, c]" of what is JSON already.
 std::string json_array(std::span<const std::string> items);

@@ -117,7 +117,7 @@ inline V minus(const V& a, const V& b) {
 }
 inline std::uint64_t truth_bits(const V& v) {
   std::uint64_t bits = 0;
-  for (int i = 0; i < lanes; ++i) bits |= std::uint64_t{v.v[i] >> 7} << i;
+  for (int i = 0; i < lanes; ++i) bits |= static_cast<std::uint64_t>(v.v[i] >> 7) << i;
   return bits;
 }
 inline void add_sums(const V& v, std::uint64_t& sum, std::uint64_t& squares) {
