@@ -36,9 +36,10 @@ struct FileInfo {
   unsigned owner = 0, group = 0;
 };
 
-/// The facts of what is behind a path (behind links, too), of what is open, and of a name in an open folder, where a link
-/// is only followed on demand. The last two may be called from a handler of signals.
-bool file_info(const std::string& path, FileInfo& out);
+/// The facts of what is behind a path, of what is open, and of a name in an open folder. The last two may be called from
+/// a handler of signals.
+///   follow   a link: the facts of what it leads to; else those of the link itself
+bool file_info(const std::string& path, FileInfo& out, bool follow = true);
 bool file_info(int open, FileInfo& out);
 bool file_info_in(int folder, const char* name, FileInfo& out, bool follow = false);
 
@@ -121,6 +122,13 @@ void unlock(int open);
 /// Whether this user may write to, or read, what is behind the path.
 bool may_write(const std::string& path);
 bool may_read(const std::string& path);
+
+/// The folder in which relative paths begin, without links; empty where it is gone.
+std::filesystem::path working_folder();
+/// The path from the root on, where links, "." and ".." stay. A relative path stays so where the working folder is gone.
+std::filesystem::path absolute(const std::filesystem::path& path);
+/// The path from the root on, without links, "." and ".."; empty where there is nothing, and errno tells why.
+std::filesystem::path canonical(const std::filesystem::path& path);
 
 /// The text of a path: with '/' between its parts on every system, else as it was made.
 inline std::string path_text(const std::filesystem::path& path) {

@@ -62,9 +62,9 @@ std::ptrdiff_t uninterrupted(Call call) {
 
 }  // namespace
 
-bool file_info(const std::string& path, FileInfo& out) {
+bool file_info(const std::string& path, FileInfo& out, bool follow) {
   struct stat info {};
-  return told(info, ::stat(path.c_str(), &info) == 0, out);
+  return told(info, (follow ? ::stat(path.c_str(), &info) : ::lstat(path.c_str(), &info)) == 0, out);
 }
 
 bool file_info(int open, FileInfo& out) {

@@ -84,8 +84,8 @@ bool at_end() {
 
 }  // namespace
 
-bool file_info(const std::string& path, FileInfo& out) {
-  const Handle file(open_path(path, FILE_READ_ATTRIBUTES));
+bool file_info(const std::string& path, FileInfo& out, bool follow) {
+  const Handle file(open_path(path, FILE_READ_ATTRIBUTES, follow ? 0 : FILE_FLAG_OPEN_REPARSE_POINT));
   return file && told(file.get(), out);
 }
 
