@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cassert>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,13 +12,19 @@
 #include "app/cli/verbs.h"
 #include "core/atlas/layout_shader.h"
 #include "core/atlas/variant.h"
+#include "core/base/bytes/bytes_le.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/output_folder.h"
 #include "core/base/number.h"
+#include "core/base/parallel.h"
 #include "core/base/text/text.h"
+#include "core/light/studio.h"
 #include "core/pages/lists/lists.h"
+#include "core/render/environment.h"
 #include "core/render/glsl/glsl_text.h"
 #include "core/render/glsl/shader_function.h"
+#include "core/render/ground_bounce.h"
 
 namespace etak::cli {
 namespace {
@@ -81,7 +88,8 @@ std::vector<std::string> subject_of(const MaterialVariant& variant) {
 struct ShaderArguments {
   SceneArguments scene;
   std::string hemispheres, choice, layout, material, defines, vertex, language = "glsl";
-  bool es = false, vulkan = false, function = false, mesh = false;
+  std::string textures;  // folder
+  bool es = false, vulkan = false, function = false, mesh = false, quick = false;
   OutputArguments output;
 };
 
@@ -134,7 +142,8 @@ std::string function_of(ShaderArguments& arguments, ShaderLanguage language) {
   for (const auto& [given, option] :
        {std::pair(arguments.es, "--es"), std::pair(arguments.vulkan, "--vulkan"),
         std::pair(arguments.mesh, "--mesh"), std::pair(!arguments.vertex.empty(), "--vertex"),
-        std::pair(!arguments.layout.empty(), "--layout"), std::pair(!arguments.defines.empty(), "--defines")})
+        std::pair(!arguments.layout.empty(), "--layout"), std::pair(!arguments.defines.empty(), "--defines"),
+        std::pair(!arguments.textures.empty(), "--textures")})
     if (given)
       throw Error::at(option, "given beside " + asked + ", which writes the BRDF alone", "one of them");
   SceneNotes notes;
@@ -142,7 +151,38 @@ std::string function_of(ShaderArguments& arguments, ShaderLanguage language) {
   return arguments.output.format == "json" ? shader_function_json(text, language, notes.remarks) : text;
 }
 
+// A picture as a PFM file whose first row is the first of the texture, at v = 0: viewers show it upside down.
+std::string texture_bytes(const Image& picture) {
+  assert(picture.channels == 3);
+  std::string out =
+      "PF\n" + std::to_string(picture.width) + ' ' + std::to_string(picture.height) + "\n-1.0\n";
+  out.reserve(out.size() + picture.values.size() * 4);
+  for (const float value : picture.values) bytes_le::append_float(out, value);
+  return out;
+}
+
+// The pictures that the shader of an environment samples, for --textures. Throws Error.
+void write_textures(const ShaderArguments& arguments, const LightSetup& lights) {
+  const std::string& name = lights.environment;
+  if (find_studio(name) == nullptr)
+    throw Error::at("--textures", name.empty() ? "no environment" : "an environment of a file",
+                    "--env with one of etak's own: " + joined(named_studios(), ", ", &NamedStudio::name));
+  const unsigned threads = thread_count(0);
+  const double scale = lights.environment_scale;
+  const auto studio = arguments.quick ? quick_studio_environment(name, scale, threads)
+                                      : studio_environment(name, scale, threads);
+  const auto environment =
+      with_ground(lights, studio, threads,
+                  arguments.quick ? Environment::Prefilter::quick : Environment::Prefilter::full);
+  OutputFolder folder(arguments.textures, arguments.output.force ? Replace::anything : Replace::nothing);
+  folder.write("environment_levels.pfm", texture_bytes(environment->level_stack()));
+  folder.write("environment_irradiance.pfm", texture_bytes(environment->irradiance_map()));
+  folder.commit();
+}
+
 int run(ShaderArguments& arguments) {
+  if (arguments.quick && arguments.textures.empty())
+    throw Error::at("--quick", "given alone", "--textures with it");
   const auto names = shader_language_names();
   const auto language =
       static_cast<ShaderLanguage>(std::ranges::find(names, arguments.language) - names.begin());
@@ -161,6 +201,7 @@ int run(ShaderArguments& arguments) {
   const GlslText text = mesh       ? glsl_mesh_text(scene, textures ? &*textures : nullptr, version)
                         : textures ? glsl_text(scene, *textures, version)
                                    : glsl_text(scene, version);
+  if (!arguments.textures.empty()) write_textures(arguments, scene.lights);
   write_output(arguments.output, arguments.output.format == "json" ? shader_json(text, version, notes.remarks)
                                  : !arguments.vertex.empty()       ? text.vertex
                                                                    : annotated_fragment(text));
@@ -193,6 +234,12 @@ void add_shader(CommandLine& line) {
               "what is fetched from the two textures, as etak pack lists it: a file with a define a line")
       .reads_file()
       .value_name("FILE");
+  verb.option(
+          "--textures", arguments->textures,
+          "folder for the pictures that the shader of an environment samples: a PFM file each, named as its sampler, first row at v = 0")
+      .value_name("DIR");
+  verb.flag("--quick", arguments->quick,
+            "--textures in a hundredth of the time, with details below 6 degrees blurred");
   verb.flag("--function", arguments->function,
             "the BRDF alone, as a function of two directions, without a picture around it");
   const auto languages = shader_language_names();
