@@ -230,6 +230,15 @@ double timeout_of_inputs() {
 
 }  // namespace
 
+void forget_inputs() {
+  Accepted& all = accepted();
+  const std::lock_guard guard(all.lock);
+  all.any = false;
+  all.descriptors.clear();
+  all.named.clear();
+  all.typed.clear();
+}
+
 std::vector<std::string> accepted_inputs() {
   Accepted& all = accepted();
   const std::lock_guard guard(all.lock);

@@ -30,6 +30,9 @@ std::string accept_input(const std::string& typed);
 /// What accept_input() was given.
 std::vector<std::string> accepted_inputs();
 
+/// Forgets the names that accept_input() was called with, where a process reads several command lines one after another.
+void forget_inputs();
+
 /// The path of accept_input() as it is typed: "-" for "<stdin>", "/dev/fd/63" for "<fd 63>".
 std::string typed_input(const std::string& path);
 
