@@ -172,21 +172,6 @@ Dataset read_dataset(const Node& node) {
   return d;
 }
 
-// Micrometres with the digits the source printed, or nothing where no 15 digits read back as the same
-// nanometres.
-std::optional<double> in_micrometres(double nm) {
-  double um = 0;
-  if (parse_number(etak::number(nm / 1000, 15), um) && um * 1000 == nm) return um;
-  return std::nullopt;
-}
-
-// Wavelengths are written in the unit in which they are short: micrometres as databases print them, or
-// nanometres.
-bool all_in_micrometres(const std::vector<double>& wavelengths_nm) {
-  return std::all_of(wavelengths_nm.begin(), wavelengths_nm.end(),
-                     [](double nm) { return in_micrometres(nm).has_value(); });
-}
-
 using Members = std::vector<JsonMember>;
 
 std::string rows_json(const std::vector<const Spectrum*>& columns, bool micrometres) {
@@ -216,7 +201,8 @@ std::vector<double> wavelengths_of(const Optics& optics) {
 
 void add_optics(Members& out, const Optics& optics) {
   if (const auto* stack = std::get_if<Stack>(&optics)) return out.push_back({"stack", json(stack->text)});
-  const bool micrometres = all_in_micrometres(wavelengths_of(optics));
+  // Micrometres as databases print them where they have few digits, else nanometres.
+  const bool micrometres = in_micrometres(wavelengths_of(optics)).has_value();
   const auto add_columns = [&](double first, double last, std::initializer_list<std::string_view> columns) {
     const auto shown = [&](double nm) { return json(micrometres ? *in_micrometres(nm) : nm); };
     out.push_back({"unit", json(micrometres ? "um" : "nm")});

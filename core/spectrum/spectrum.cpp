@@ -26,4 +26,20 @@ void validate(const Spectrum& spectrum, std::string_view what) {
   }
 }
 
+std::optional<double> in_micrometres(double nm) {
+  double um = 0;
+  if (parse_number(number(nm / 1000, 15), um) && um * 1000 == nm) return um;
+  return std::nullopt;
+}
+
+std::optional<std::vector<double>> in_micrometres(const std::vector<double>& wavelengths_nm) {
+  std::vector<double> out;
+  for (const double nm : wavelengths_nm)
+    if (const auto um = in_micrometres(nm))
+      out.push_back(*um);
+    else
+      return std::nullopt;
+  return out;
+}
+
 }  // namespace etak

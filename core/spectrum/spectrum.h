@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,11 @@ struct Spectrum {
 /// Throws Error (naming `what` and the first offending wavelength) unless the spectrum holds at least one
 /// sample, all numbers are finite and the wavelengths are positive and strictly ascending.
 void validate(const Spectrum& spectrum, std::string_view what);
+
+/// Micrometres with the digits that their source printed; none where no 15 digits read back as the same nanometres, and
+/// of several wavelengths where one of them has none.
+std::optional<double> in_micrometres(double nm);
+std::optional<std::vector<double>> in_micrometres(const std::vector<double>& wavelengths_nm);
 
 /// The reference grid: 360, 361, ..., 830 nm.
 inline constexpr int grid_first_nm = 360;

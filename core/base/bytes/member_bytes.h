@@ -161,6 +161,12 @@ class MemberReader {
     act(*this);
   }
 
+  /// For members that are of no form that their struct takes.
+  void fail() {
+    good_ = false;
+    bytes_ = {};
+  }
+
  private:
   std::uint64_t number() {
     constexpr std::size_t size = 8;
@@ -178,10 +184,6 @@ class MemberReader {
     if (out <= bytes_.size()) return static_cast<std::size_t>(out);
     fail();
     return 0;
-  }
-  void fail() {
-    good_ = false;
-    bytes_ = {};
   }
 
   std::string_view bytes_;

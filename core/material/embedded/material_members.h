@@ -3,9 +3,12 @@
 
 #include <concepts>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <type_traits>
 #include <variant>
 
+#include "core/base/bytes/decimal_bytes.h"
 #include "core/base/bytes/member_bytes.h"
 #include "core/material/material.h"
 
@@ -60,17 +63,42 @@ void members(MemberReader& to, std::variant<Types...>& v) {
 
 // ---- materials
 
-template <class To, Like<Spectrum> S>
-void members(To& to, S& s) {
-  all_members(to, s.wavelength_nm, s.value);
+// Wavelengths that their source printed in micrometres take fewer digits so.
+inline void members(MemberWriter& to, const Spectrum& s) {
+  std::string wavelengths = decimal_bytes(s.wavelength_nm);
+  const auto um = in_micrometres(s.wavelength_nm);
+  std::string shorter = um ? decimal_bytes(*um) : wavelengths;
+  to.member(shorter.size() < wavelengths.size());
+  to.member(shorter.size() < wavelengths.size() ? shorter : wavelengths);
+  to.member(decimal_bytes(s.value));
+}
+inline void members(MemberReader& to, Spectrum& s) {
+  bool micrometres = false;
+  std::string wavelengths, values;
+  all_members(to, micrometres, wavelengths, values);
+  if (!read_decimal_bytes(wavelengths, s.wavelength_nm) || !read_decimal_bytes(values, s.value))
+    return to.fail();
+  if (micrometres)
+    for (double& wavelength : s.wavelength_nm) wavelength *= 1000;
 }
 template <class To, Like<DispersionFormula> S>
 void members(To& to, S& s) {
   all_members(to, s.number, s.coefficients, s.first_nm, s.last_nm);
 }
-template <class To, Like<OpticalConstants> S>
-void members(To& to, S& s) {
-  all_members(to, s.n, s.k);
+// The wavelengths of k are not written a second time where n has the same.
+inline void members(MemberWriter& to, const OpticalConstants& c) {
+  const auto* n = std::get_if<Spectrum>(&c.n);
+  std::optional<Spectrum> k = c.k;
+  const bool shared = n != nullptr && k && n->wavelength_nm == k->wavelength_nm;
+  if (shared) k->wavelength_nm.clear();
+  all_members(to, c.n, k, shared);
+}
+inline void members(MemberReader& to, OpticalConstants& c) {
+  bool shared = false;
+  all_members(to, c.n, c.k, shared);
+  const auto* n = std::get_if<Spectrum>(&c.n);
+  if (shared && (n == nullptr || !c.k)) return to.fail();
+  if (shared) c.k->wavelength_nm = n->wavelength_nm;
 }
 template <class To, Like<Reflectance> S>
 void members(To& to, S& s) {
