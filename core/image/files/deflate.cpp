@@ -52,13 +52,6 @@ std::uint32_t adler32_of_both(std::uint32_t first, std::uint32_t second, std::si
   return static_cast<std::uint32_t>(::adler32_combine(first, second, static_cast<z_off_t>(second_size)));
 }
 
-std::span<const std::uint8_t, 2> zlib_header(PngLevel level) {
-  // The first byte (CMF) says deflate with a 32 KiB window. The second (FLG) has the class of the level, and
-  // 5 bits that make both bytes, as one number, a multiple of 31.
-  static constexpr std::array<std::uint8_t, 2> fast{0x78, 0x01}, small{0x78, 0x9C}, smallest{0x78, 0xDA};
-  return level == PngLevel::fast ? fast : level == PngLevel::small ? small : smallest;
-}
-
 // ---- Deflater
 
 struct Deflater::State {

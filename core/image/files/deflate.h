@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -12,9 +13,9 @@
 
 namespace etak {
 
-// The only sources of etak that use zlib and ISA-L (Intel's Intelligent Storage Acceleration Library, which
-// is used where it was found when etak was built). Deflate is RFC 1951; the zlib stream around it is
-// RFC 1950.
+// Deflate is RFC 1951; the zlib stream around it is RFC 1950. deflate.cpp is the only source of etak that uses zlib and
+// ISA-L (Intel's Intelligent Storage Acceleration Library, which is used where it was found when etak was built);
+// deflate_without_zlib.cpp takes its place where there is neither.
 
 /// The CRC-32 that PNG chunks use (ISO 3309), continued from `crc`, which is 0 for the first bytes.
 std::uint32_t crc32_of(std::uint32_t crc, std::span<const std::uint8_t> bytes);
@@ -25,8 +26,14 @@ std::uint32_t adler32_of(std::uint32_t adler, std::span<const std::uint8_t> byte
 /// The Adler-32 of two consecutive pieces from the Adler-32 of each; the second is `second_size` bytes long.
 std::uint32_t adler32_of_both(std::uint32_t first, std::uint32_t second, std::size_t second_size);
 
-/// The two bytes that a zlib stream begins with, as zlib writes them for its levels 1, 6 and 9.
-std::span<const std::uint8_t, 2> zlib_header(PngLevel level);
+/// The two bytes that a zlib stream begins with, as zlib writes them for its levels 1, 6 and 9. The first one (CMF) says
+/// deflate with a 32 KiB window. The second one (FLG) has the class of the level, and 5 bits that make both bytes, as one
+/// number, a multiple of 31.
+constexpr std::array<std::uint8_t, 2> zlib_header(PngLevel level) {
+  return {0x78, static_cast<std::uint8_t>(level == PngLevel::fast    ? 0x01
+                                          : level == PngLevel::small ? 0x9C
+                                                                     : 0xDA)};
+}
 
 /// Deflates pieces of one stream. No piece refers to another, so several threads can make them at once.
 class Deflater {
