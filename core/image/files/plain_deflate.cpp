@@ -23,9 +23,9 @@ constexpr std::array<std::uint32_t, 256> crc_table = [] {
 }();
 
 // Writes bits, the first one lowest.
-class Bits {
+class DeflateBits {
  public:
-  explicit Bits(std::vector<std::uint8_t>& out) : out_(out) {}
+  explicit DeflateBits(std::vector<std::uint8_t>& out) : out_(out) {}
   void add(std::uint32_t bits, unsigned count) {
     bits_ |= std::uint64_t{bits} << count_;
     for (count_ += count; count_ >= 8; count_ -= 8, bits_ >>= 8)
@@ -48,7 +48,7 @@ class Bits {
 };
 
 // RFC 1951, section 3.2.6.
-void add_symbol(Bits& to, unsigned symbol) {
+void add_symbol(DeflateBits& to, unsigned symbol) {
   if (symbol < 144)
     to.add_code(0x30 + symbol, 8);
   else if (symbol < 256)
@@ -66,7 +66,7 @@ unsigned range_of(const std::array<DeflateRange, count>& ranges, std::size_t val
   return static_cast<unsigned>(behind - ranges.begin()) - 1;
 }
 
-void add_match(Bits& to, std::size_t length, std::size_t distance) {
+void add_match(DeflateBits& to, std::size_t length, std::size_t distance) {
   // The longest length has a symbol of its own, which no other range holds.
   const unsigned at = range_of(deflate_lengths, length), from = range_of(deflate_distances, distance);
   add_symbol(to, 257 + at);
@@ -110,7 +110,7 @@ void PlainDeflater::append(std::span<const std::uint8_t> piece, bool last, std::
   constexpr std::size_t window = 32768, shortest = 4, longest = 258;
   constexpr unsigned hash_bits = 15;
   places_.assign(std::size_t{1} << hash_bits, 0);
-  Bits bits(out);
+  DeflateBits bits(out);
   bits.add(last ? 3 : 2, 3);
   for (std::size_t at = 0; at < piece.size();) {
     std::size_t length = 0, from = 0;
