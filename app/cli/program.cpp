@@ -14,6 +14,7 @@
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
+#include "core/base/files/paths.h"
 #include "core/base/json/json_text.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
@@ -72,9 +73,7 @@ std::string_view only_verb(const std::vector<std::string>& words) {
 std::vector<std::string> without_names_as_options(std::vector<std::string> words) {
   bool names = false;
   for (std::size_t i = 1; i < words.size(); ++i) {
-    std::error_code ignored;
-    if (words[i].size() > 1 && words[i].starts_with('-') && words[1] != "plan" &&
-        std::filesystem::exists(std::filesystem::symlink_status(words[i], ignored))) {
+    if (words[i].size() > 1 && words[i].starts_with('-') && words[1] != "plan" && kind_at(words[i], false)) {
       if (!names)
         throw Error::at(printable(words[i], 200), "is an option and the name of a file",
                         "-- before the names of files");
@@ -115,14 +114,13 @@ int run(std::vector<std::string> words, CommandLine& line) {
 // line, which is the likely reason.
 std::string out_of_memory(const std::vector<std::string>& words) {
   std::string largest;
-  std::uintmax_t most = 0;
+  std::uint64_t most = 0;
   for (std::size_t i = 1; i < words.size(); ++i) {
-    std::error_code failure;
-    if (!std::filesystem::is_regular_file(words[i], failure)) continue;
-    const std::uintmax_t size = std::filesystem::file_size(words[i], failure);
-    if (failure || size < most) continue;
+    sys::FileInfo info;
+    if (!sys::file_info(words[i], info) || info.kind != sys::FileInfo::Kind::file || info.size < most)
+      continue;
     largest = words[i];
-    most = size;
+    most = info.size;
   }
   if (largest.empty())
     return Error::at(words.size() > 1 ? "etak " + words[1] : "etak", "needs more memory than there is",

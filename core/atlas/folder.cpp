@@ -6,6 +6,7 @@
 #include "core/atlas/manifest.h"
 #include "core/base/error.h"
 #include "core/base/files/links.h"
+#include "core/base/files/paths.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
 #include "core/image/picture_endings.h"
@@ -72,36 +73,33 @@ bool split(const std::string& file, const Pattern& pattern, std::string& name, s
 bool all_follow(const std::string& folder, const std::string& pattern_text) {
   const Pattern pattern = parse_pattern(pattern_text);
   const NameReader reader({});
-  std::error_code failure;
-  bool any = false;
-  for (const auto& entry : fs::directory_iterator(folder, failure)) {
-    const std::string file = sys::path_text(entry.path().filename());
+  bool any = false, others = false;
+  (void)walk_folder(folder, false, [&](const FolderEntry& entry) {
+    const std::string file(entry.name);
     std::string name, role;
     if (split(file, pattern, name, role)) {
       any = true;
     } else if (has_picture_ending(file)) {
       const auto known = reader.read(file);
-      if (known && (is_judged(known->role) || is_map(known->role))) return false;
+      others = others || (known && (is_judged(known->role) || is_map(known->role)));
     }
-  }
-  return any;
+  });
+  return any && !others;
 }
 
 AtlasManifest manifest_of_folder(const std::string& folder, const std::string& pattern_text,
                                  std::vector<std::string>* skipped) {
   const Pattern pattern = parse_pattern(pattern_text);
-  std::error_code failure;
   std::map<std::string, ManifestMaterial> found;
-  fs::directory_iterator files(folder, failure);
-  if (failure) throw Error::at(folder, "cannot be read: " + failure.message(), "a folder of pictures");
-  for (const auto& entry : files) {
+  const auto unread = walk_folder(folder, false, [&](const FolderEntry& entry) {
+    using Kind = sys::FileInfo::Kind;
     std::string name, role;
-    if (!split(sys::path_text(entry.path().filename()), pattern, name, role)) continue;
-    if (!entry.is_regular_file(failure) && entry.exists(failure)) {
-      if (skipped != nullptr) skipped->push_back(sys::path_text(entry.path()));
-      continue;
+    if (!split(std::string(entry.name), pattern, name, role)) return;
+    if (entry.kind != Kind::file && entry.kind != Kind::link) {
+      if (skipped != nullptr) skipped->push_back(entry.path);
+      return;
     }
-    const std::string path = path_beside(folder, sys::path_text(entry.path().filename()));
+    const std::string path = path_beside(folder, std::string(entry.name));
     ManifestMaterial& material = found[name];
     material.name = name;
     material.place = sys::path_text(fs::path(folder) / name);
@@ -109,7 +107,8 @@ AtlasManifest manifest_of_folder(const std::string& folder, const std::string& p
       material.normal = path;
     else
       *source_of(material, role) = ImageSource{path, "", ""};
-  }
+  });
+  if (unread) throw Error::at(folder, "cannot be read: " + reason_of(unread->why), "a folder of pictures");
   if (found.empty())
     throw Error::at(folder, "no file follows the pattern " + printable(pattern_text, 80), pattern_form);
   AtlasManifest out;

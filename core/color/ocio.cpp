@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/base/setting.h"
 #include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
@@ -206,15 +207,14 @@ OcioConfig OcioConfig::open(const std::string& file) {
       return OcioConfig({ocio::Config::CreateFromStream(text), builtin_ocio_config});
     }
     namespace fs = std::filesystem;
-    std::error_code failure;
     const bool pipe = is_pipe_input(path);
-    if (!pipe && !fs::exists(path, failure))
+    if (!pipe && !is_there(path))
       throw Error::at(path, "no such file", "an OpenColorIO config (" + setting("ocio") + " or $OCIO)");
     std::istringstream text{read_file(path, max_config_bytes)};
     const auto config = ocio::Config::CreateFromStream(text)->createEditableCopy();
     // The tables that the config names lie beside it; for a pipe in the working folder.
     const fs::path folder = pipe ? fs::path() : fs::path(path).parent_path();
-    config->setWorkingDir((folder.empty() ? fs::current_path(failure) : folder).c_str());
+    config->setWorkingDir((folder.empty() ? sys::working_folder() : folder).c_str());
     ConfigFiles(*config, path).check();
     return OcioConfig({config, path});
   } catch (const ocio::Exception& e) {

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/files/between_files.h"
 #include "core/base/files/descriptor.h"
+#include "core/base/files/paths.h"
 #include "core/base/parallel.h"
 #include "core/base/text/ascii.h"
 #include "core/exchange/material_file.h"
@@ -28,16 +29,6 @@ struct Listing {
   bool hides = false;  // it holds something whose name begins with a dot
   std::string failure;
 };
-
-bool is_folder(const std::string& path) {
-  sys::FileInfo info;
-  return sys::file_info(path, info) && info.kind == Kind::folder;
-}
-
-bool exists(const std::string& path) {
-  sys::FileInfo info;
-  return sys::file_info(path, info);
-}
 
 enum class EntryKind { file, folder, linked_folder, other };
 
@@ -136,7 +127,7 @@ Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::
   Folder& out = listed.out;
   out.root = path.ends_with('/') ? path : path + '/';
   for (const std::string& base : {out.root + "database/", out.root})
-    if (exists(base + "catalog-nk.yml") && is_folder(base + "data")) {
+    if (is_there(base + "catalog-nk.yml") && is_folder(base + "data")) {
       out.root = base + "data/";
       break;
     }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "core/base/files/file.h"
 #include "core/base/files/steady_file.h"
 #include "core/base/hash/content_hash.h"
+#include "core/base/system.h"
 #include "core/image/files/png.h"
 
 namespace etak {
@@ -23,13 +23,12 @@ namespace {
 void join_same_bytes(std::span<const PictureFile> pictures, const std::vector<bool>& used,
                      std::vector<int>& out) {
   // 0 for what is not there: who reads it tells so.
-  const auto size_of = [](const PictureFile& picture) -> std::uintmax_t {
-    std::error_code failure;
+  const auto size_of = [](const PictureFile& picture) -> std::uint64_t {
     if (picture.path.empty()) return picture.bytes.size();
-    const std::uintmax_t size = std::filesystem::file_size(picture.path, failure);
-    return failure ? 0 : size;
+    sys::FileInfo info;
+    return sys::file_info(picture.path, info) && info.kind == sys::FileInfo::Kind::file ? info.size : 0;
   };
-  std::map<std::uintmax_t, std::vector<std::size_t>> by_size;
+  std::map<std::uint64_t, std::vector<std::size_t>> by_size;
   for (std::size_t i = 0; i < out.size(); ++i)
     if (used[i]) by_size[size_of(pictures[i])].push_back(i);
   for (const auto& [size, same] : by_size) {

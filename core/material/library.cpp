@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/paths.h"
 #include "core/base/system.h"
 #include "core/base/text/text.h"
 #include "core/material/embedded/blob.h"
@@ -36,18 +37,18 @@ std::string_view builtin_blob() {
 }
 
 std::vector<std::string> json_files(const std::string& folder, std::vector<std::string>* skipped) {
-  std::error_code status;
   std::vector<std::string> files;
-  fs::recursive_directory_iterator it(folder, status);
-  if (status) throw Error::at(folder, "cannot be opened: " + status.message(), "a folder of material files");
-  for (const fs::recursive_directory_iterator end; it != end; it.increment(status)) {
-    if (status) throw Error::at(folder, "cannot be read: " + status.message());
-    if (it->path().extension() != ".json" || it->is_directory(status)) continue;
-    if (it->is_regular_file(status))
-      files.push_back(sys::path_text(it->path()));
+  const auto unread = walk_folder(folder, true, [&](const FolderEntry& entry) {
+    using Kind = sys::FileInfo::Kind;
+    if (fs::path(entry.name).extension() != ".json" || entry.kind == Kind::folder) return;
+    if (entry.kind == Kind::file)
+      files.push_back(entry.path);
     else if (skipped != nullptr)
-      skipped->push_back(sys::path_text(it->path()));
-  }
+      skipped->push_back(entry.path);
+  });
+  if (unread && unread->path == sys::path_text(folder))
+    throw Error::at(folder, "cannot be opened: " + reason_of(unread->why), "a folder of material files");
+  if (unread) throw Error::at(unread->path, "cannot be read: " + reason_of(unread->why));
   if (files.empty()) throw Error::at(folder, "no *.json", "material files");
   std::sort(files.begin(), files.end());
   return files;

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/paths.h"
 #include "core/base/system.h"
 #include "core/base/text/ascii.h"
 #include "core/base/text/free_names.h"
@@ -301,11 +302,10 @@ class PictureFolder {
   // False where another file has the name.
   bool write(const std::string& name, const std::string& bytes) const {
     const std::string path = sys::path_text(folder_ / name);
-    std::error_code missing;
-    if (std::filesystem::exists(std::filesystem::symlink_status(path, missing))) {
-      std::error_code error;
-      return std::filesystem::is_regular_file(path, error) &&
-             std::filesystem::file_size(path, error) == bytes.size() && !error && read_file(path) == bytes;
+    if (kind_at(path, false)) {
+      sys::FileInfo info;
+      return sys::file_info(path, info) && info.kind == sys::FileInfo::Kind::file &&
+             info.size == bytes.size() && read_file(path) == bytes;
     }
     write_file(path, bytes, false);
     return true;

@@ -2,13 +2,13 @@
 #include "core/project/project_mask.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 
 #include "core/atlas/sources/sources.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/links.h"
+#include "core/base/files/paths.h"
 #include "core/base/text/ascii.h"
 #include "core/project/project_pictures.h"
 
@@ -142,10 +142,8 @@ std::vector<std::string> masked_files_in(const std::string& folder, const Masked
   std::vector<std::string> out;
   std::vector<std::string> names{manifest_name(masked)};
   for (const std::string_view role : mask_file_endings) names.push_back(stem_of(masked) + std::string(role));
-  for (const std::string& name : names) {
-    std::error_code failure;
-    if (std::filesystem::exists(path_in(folder, name), failure)) out.push_back(name);
-  }
+  for (const std::string& name : names)
+    if (is_there(path_in(folder, name))) out.push_back(name);
   return out;
 }
 

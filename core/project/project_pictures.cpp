@@ -9,6 +9,7 @@
 
 #include "core/atlas/sources/pictures.h"
 #include "core/base/error.h"
+#include "core/base/system.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
 #include "core/image/load.h"
@@ -115,10 +116,11 @@ PicturesKey::PicturesKey(const ProjectMaterial& material) {
   files_.alpha_cutoff = material.alpha_cutoff;
   files_.green_down = material.green_down;
   for (const auto& texture : material.textures) {
-    std::error_code none;
-    if (texture)
-      stamps_.emplace_back(std::filesystem::last_write_time(texture->path, none),
-                           std::filesystem::file_size(texture->path, none));
+    sys::FileInfo info;
+    if (texture && sys::file_info(texture->path, info))
+      stamps_.push_back({0, 0, info.size, info.written.seconds, info.written.nanoseconds});
+    else if (texture)
+      stamps_.emplace_back();
   }
 }
 

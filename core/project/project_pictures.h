@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "core/atlas/sources/sources.h"
+#include "core/base/files/file_stamp.h"
 #include "core/project/project.h"
 #include "core/render/scene.h"
 
@@ -36,7 +36,7 @@ class PicturesKey {
 
  private:
   ProjectMaterial files_;
-  std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> stamps_;
+  std::vector<FileStamp> stamps_;  // of the file behind a path, whichever that is
 };
 
 /// Keeps the pictures of the material that was asked for last, so that they are not read again while only its

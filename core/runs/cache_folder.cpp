@@ -3,12 +3,12 @@
 
 #include <cassert>
 #include <cerrno>
-#include <filesystem>
 #include <new>
 
 #include "core/base/bytes/hex.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/paths.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/hash/sha256.h"
 #include "core/base/number.h"
@@ -133,9 +133,9 @@ void CacheFolder::NewEntry::Open::remove() {
 
 CacheFolder::CacheFolder(CacheOptions options) : state_(std::make_unique<State>(std::move(options))) {
   State& s = *state_;
-  std::error_code failure, ignored;
   const std::string& path = s.options.path;
-  std::filesystem::create_directories(path, failure);
+  const bool made = make_folders(path);
+  const int why = errno;
   s.root = Descriptor(sys::open_file(path, sys::Open::folder));
   if (s.root) {
     s.own_folder();
@@ -143,9 +143,9 @@ CacheFolder::CacheFolder(CacheOptions options) : state_(std::make_unique<State>(
     return;
   }
   const int error = errno;
-  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored))
+  if (is_there(path) && !is_folder(path))
     throw Error::at(setting("cache"), printable(path, 200) + " is no folder", "a folder");
-  s.why = failure ? failure.message() : reason_of(error);
+  s.why = reason_of(made ? error : why);
   s.closed = true;
 }
 

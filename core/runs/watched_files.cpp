@@ -2,45 +2,41 @@
 #include "core/runs/watched_files.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <thread>
 
+#include "core/base/files/paths.h"
 #include "core/base/system.h"
 
 namespace etak {
 namespace {
-
-namespace watched = std::filesystem;
 
 constexpr auto shortest_pause = std::chrono::milliseconds(300);
 constexpr auto most_settling = std::chrono::seconds(3);
 constexpr int pauses_per_look = 4;
 
 // Without links, so that two paths of one file are the same text.
-std::string plain_path(const std::string& path) {
-  std::error_code failure;
-  const watched::path whole = watched::weakly_canonical(path.empty() ? "." : path, failure);
-  return failure ? path : sys::path_text(whole);
+std::string watched_path(const std::string& path) {
+  return sys::path_text(plain_path(path.empty() ? "." : path));
 }
 
 // etak's own files on their way to their places (temporary.h).
-bool is_temporary(const std::string& name) {
+bool is_temporary(std::string_view name) {
   return name.starts_with('.') && name.find(".etak-") != name.npos;
 }
 
 }  // namespace
 
 void WatchedFiles::add_folder(const std::string& path, bool deep) {
-  bool& there = folders_[plain_path(path)];
+  bool& there = folders_[watched_path(path)];
   there = there || deep;
 }
 
 void WatchedFiles::add_file(const std::string& path) {
-  if (!path.empty()) files_.insert(plain_path(path));
+  if (!path.empty()) files_.insert(watched_path(path));
 }
 
 void WatchedFiles::leave_out(const std::string& path) {
-  if (!path.empty()) left_out_.insert(plain_path(path));
+  if (!path.empty()) left_out_.insert(watched_path(path));
 }
 
 void WatchedFiles::clear() {
@@ -51,20 +47,17 @@ void WatchedFiles::clear() {
 
 WatchedFiles::Stamps WatchedFiles::look() const {
   Stamps found;
-  for (const auto& [folder, deep] : folders_) {
-    std::error_code failure;
-    for (watched::recursive_directory_iterator it(folder, failure), end; it != end && !failure;
-         it.increment(failure)) {
-      const std::string path = sys::path_text(it->path());
-      std::error_code gone;
-      const bool is_folder = it->is_directory(gone);
-      if (is_folder && (!deep || left_out_.contains(path) || it->is_symlink(gone)))
-        it.disable_recursion_pending();
-      if (left_out_.contains(path) || is_temporary(sys::path_text(it->path().filename()))) continue;
+  const auto look_into = [&](const std::string& folder, bool deep, auto again) -> void {
+    (void)walk_folder(folder, false, [&](const FolderEntry& entry) {
+      if (left_out_.contains(entry.path)) return;
+      const bool is_folder = entry.kind == sys::FileInfo::Kind::folder;
+      if (deep && is_folder && !entry.linked) again(entry.path, deep, again);
       // A folder counts by its presence alone: its time changes with the files that are left out.
-      found.emplace(path, is_folder ? FileStamp{} : stamp_of(path));
-    }
-  }
+      if (!is_temporary(entry.name))
+        found.emplace(entry.path, is_folder ? FileStamp{} : stamp_of(entry.path));
+    });
+  };
+  for (const auto& [folder, deep] : folders_) look_into(folder, deep, look_into);
   for (const std::string& file : files_)
     if (!left_out_.contains(file)) found.emplace(file, stamp_of(file));
   return found;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/files/paths.h"
 #include "core/base/json/json_text.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
@@ -29,14 +30,13 @@ std::set<const Rule*> chosen_rules(const std::vector<std::string>& ids, std::str
 
 std::string find_config(const std::string& path) {
   namespace fs = std::filesystem;
-  std::error_code failure;
-  fs::path folder = fs::absolute(path, failure).lexically_normal();
-  if (!fs::is_directory(folder, failure)) folder = folder.parent_path();
+  fs::path folder = sys::absolute(path).lexically_normal();
+  if (!is_folder(sys::path_text(folder))) folder = folder.parent_path();
   for (;; folder = folder.parent_path()) {
     const fs::path candidate = folder / "etak.toml";
-    if (fs::is_regular_file(candidate, failure)) {
+    if (is_file(sys::path_text(candidate))) {
       // Messages name the file relative to the working folder where it lies below that.
-      const fs::path near = candidate.lexically_relative(fs::current_path(failure));
+      const fs::path near = candidate.lexically_relative(sys::working_folder());
       return near.empty() || *near.begin() == ".." ? sys::path_text(candidate) : sys::path_text(near);
     }
     if (folder == folder.parent_path()) return {};

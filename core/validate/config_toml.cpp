@@ -412,11 +412,10 @@ ValidateConfig parse_config(std::string_view text, std::string_view file) {
 
 ValidateConfig read_config(const std::string& file) {
   namespace fs = std::filesystem;
-  std::error_code failure;
   ValidateConfig out = file.empty() ? ValidateConfig{} : parse_config(read_file(file), file);
   out.file = file;
   const fs::path root =
-      file.empty() ? fs::current_path(failure) : fs::absolute(file, failure).lexically_normal().parent_path();
+      file.empty() ? sys::working_folder() : sys::absolute(file).lexically_normal().parent_path();
   out.root = sys::path_text(root);
   return out;
 }

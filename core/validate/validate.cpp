@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -13,6 +12,7 @@
 #include "core/base/hash/content_hash.h"
 #include "core/base/hash/sha256.h"
 #include "core/base/parallel.h"
+#include "core/base/system.h"
 #include "core/findings/report.h"
 #include "core/findings/shards/report_shard.h"
 #include "core/judge/deciding_members.h"
@@ -213,10 +213,11 @@ void join_scenes(std::vector<FoundTarget>& targets) {
 }
 
 bool names_whole_tree(const ValidationRequest& request) {
-  std::error_code failure;
+  sys::FileInfo root, named;
+  if (!sys::file_info(request.config.root, root)) return false;
   return std::ranges::any_of(request.inputs.paths, [&](const std::string& path) {
     BetweenFiles::call();
-    return std::filesystem::equivalent(path, request.config.root, failure);
+    return sys::file_info(path, named) && named.device == root.device && named.number == root.number;
   });
 }
 

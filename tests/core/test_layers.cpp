@@ -180,6 +180,37 @@ TEST_CASE("what differs between systems stands in the sources of core/base/syste
   CHECK(seen > 10);
 }
 
+TEST_CASE(
+    "files and folders are asked about by core/base/system alone: of std::filesystem others use paths") {
+  // A system without files has std::filesystem::path, and neither operations nor streams of files.
+  const auto follows = [](std::string_view code, std::string_view name) {
+    const bool longer =
+        code.size() > name.size() &&
+        (std::isalnum(static_cast<unsigned char>(code[name.size()])) != 0 || code[name.size()] == '_');
+    return code.starts_with(name) && !longer;
+  };
+  std::size_t paths = 0;
+  for (const std::string root : {"core", "app/cli"})
+    for (const auto& file : files_below(root)) {
+      // The second is a program of the build.
+      if (file.path.starts_with("core/base/system/") || file.path == "core/material/embedded/embed_main.cpp")
+        continue;
+      for (const auto& line : file.lines) {
+        const std::string code = parts_of(line).code;
+        INFO(file.path << ": " << line);
+        CHECK(between(line, "#include <", '>') != "fstream");
+        if (contains(code, "= std::filesystem;")) CHECK(contains(code, "namespace fs = "));
+        for (const std::string name : {"filesystem::", "fs::"})
+          for (std::size_t at = code.find(name); at != code.npos; at = code.find(name, at + 1)) {
+            const std::string_view used = std::string_view(code).substr(at + name.size());
+            CHECK((follows(used, "path") || follows(used, "filesystem_error")));
+            ++paths;
+          }
+      }
+    }
+  CHECK(paths > 100);
+}
+
 TEST_CASE("no message of core names an option of a command line: setting() names what would help") {
   const std::vector<std::string> others{
       "core/findings/",                       // options of the run that a report tells of

@@ -13,6 +13,7 @@
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/files/output_target.h"
+#include "core/base/files/paths.h"
 #include "core/base/files/read_places.h"
 #include "core/base/system.h"
 #include "core/findings/baseline.h"
@@ -81,9 +82,11 @@ void refuse_same_outputs(std::initializer_list<NamedOutput> outputs) {
   namespace fs = std::filesystem;
   std::map<std::tuple<std::uint64_t, std::uint64_t, fs::path>, const char*> known;
   for (const auto& [option, path] : outputs) {
-    std::error_code failure;
-    if (path.empty() || path == "-" || fs::is_other(path, failure)) continue;  // a pipe takes any number
-    const fs::path whole = (fs::weakly_canonical(fs::absolute(path, failure), failure) / "").parent_path();
+    using Kind = sys::FileInfo::Kind;
+    const auto kind = kind_at(path).value_or(Kind::file);
+    if (path.empty() || path == "-" || (kind != Kind::file && kind != Kind::folder))
+      continue;  // a pipe takes any number
+    const fs::path whole = (plain_path(path) / "").parent_path();
     sys::FileInfo folder;
     if (!sys::file_info(sys::path_text(whole.parent_path()), folder)) continue;  // its own check tells so
     const auto [first, fresh] = known.try_emplace({folder.device, folder.number, whole.filename()}, option);

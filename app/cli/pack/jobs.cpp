@@ -14,6 +14,7 @@
 #include "core/base/files/input.h"
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
+#include "core/base/files/paths.h"
 #include "core/base/json/json_text.h"
 #include "core/base/system.h"
 #include "core/runs/watched_files.h"
@@ -45,13 +46,10 @@ std::vector<PackSettings> read_jobs(const PackArguments& line) {
 // else the input alone.
 std::vector<std::string> files_of(const std::string& input) {
   std::vector<std::string> files;
-  std::error_code failure;
-  if (fs::is_directory(input, failure)) {
-    for (fs::recursive_directory_iterator it(input, failure), end; it != end && !failure;
-         it.increment(failure)) {
-      std::error_code gone;
-      if (it->is_regular_file(gone)) files.push_back(sys::path_text(it->path()));
-    }
+  if (is_folder(input)) {
+    (void)walk_folder(input, true, [&](const FolderEntry& entry) {
+      if (entry.kind == sys::FileInfo::Kind::file) files.push_back(entry.path);
+    });
   } else {
     files.push_back(input);
     if (is_gltf_file(input)) {
@@ -164,10 +162,9 @@ int pack_watch(PackArguments& arguments) {
   arguments.update = true;
   bool again = false;
   const fs::path input(arguments.settings.input);
-  std::error_code failure;
   WatchedFiles watched;
   watched.add_folder(
-      fs::is_directory(input, failure) ? arguments.settings.input : sys::path_text(input.parent_path()),
+      is_folder(arguments.settings.input) ? arguments.settings.input : sys::path_text(input.parent_path()),
       true);
   watched.leave_out(arguments.settings.out);
   watched.leave_out(arguments.cache.folder);

@@ -15,6 +15,7 @@
 #include "core/base/files/file.h"
 #include "core/base/files/output_folder.h"
 #include "core/base/files/output_target.h"
+#include "core/base/files/paths.h"
 #include "core/base/memory.h"
 #include "core/base/system.h"
 #include "core/findings/output/formats.h"
@@ -94,9 +95,7 @@ PackOptions options_of(const PackArguments& a) {
 
 void check_page_report(const PackArguments& a) {
   if (a.page_report.empty()) return;
-  std::error_code failure;
-  if (!is_in_atlas_folder(a) || std::filesystem::exists(a.settings.out, failure))
-    check_file_target(a.page_report, true);
+  if (!is_in_atlas_folder(a) || is_there(a.settings.out)) check_file_target(a.page_report, true);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/atlas/texels/page_pixels.h"
 #include "core/base/error.h"
 #include "core/base/files/output_file.h"
+#include "core/base/files/paths.h"
 #include "core/base/files/read_places.h"
 #include "core/base/system.h"
 #include "core/base/text/ascii.h"
@@ -89,8 +90,7 @@ PackPage::PackPage(const PackArguments& arguments) : arguments_(arguments) {
 void PackPage::attach(PackOptions& options) {
   if (arguments_.page_report.empty()) return;
   // Where the HTML page is missing, -u must not skip the work.
-  std::error_code failure;
-  if (!std::filesystem::exists(arguments_.page_report, failure)) options.output.update = false;
+  if (!is_there(arguments_.page_report)) options.output.update = false;
   options.check.written_page = {};  // without it, pages are whole in memory when `page` is called
   options.check.page = [this, check = std::move(options.check.page)](const AtlasLayout& layout, int page,
                                                                      const PagePixels& pixels) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/files/output_folder.h"
 #include "core/base/files/output_target.h"
+#include "core/base/files/paths.h"
 #include "core/base/system.h"
 #include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
@@ -53,16 +53,15 @@ std::vector<FamilyEntry> chosen_families(const std::vector<std::string>& names) 
 // known only after the measuring, so every file that has the name of a plot of these families counts as one.
 void check_report_folder(const ReportArguments& arguments, const std::vector<FamilyEntry>& entries) {
   std::vector<std::string> names{"report.html", "report.json", "report.csv"};
-  std::error_code failure;
-  for (const auto& entry : std::filesystem::directory_iterator(arguments.folder, failure)) {
-    const std::string name = sys::path_text(entry.path().filename());
+  (void)walk_folder(arguments.folder, false, [&](const FolderEntry& entry) {
+    const std::string name(entry.name);
     const auto is_plot = [&](const FamilyEntry& each) {
       return name.starts_with(std::string(each.id) + "-");
     };
     if ((name.ends_with(".svg") || name.ends_with(".csv")) &&
         std::any_of(entries.begin(), entries.end(), is_plot))
       names.push_back(name);
-  }
+  });
   check_folder_target(arguments.folder, names, arguments.force ? Replace::anything : Replace::nothing);
 }
 

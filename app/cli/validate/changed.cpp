@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/links.h"
+#include "core/base/files/paths.h"
 #include "core/base/hash/sha256.h"
 #include "core/base/system.h"
 #include "core/base/text/ascii.h"
@@ -22,6 +23,7 @@ namespace etak::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Kind = sys::FileInfo::Kind;
 using Names = std::vector<std::string>;
 
 constexpr const char* option = "--changed-since";
@@ -59,7 +61,7 @@ class Git {
     std::string found = output({"rev-parse", "--absolute-git-dir"},
                                shown + " lies in no repository that git accepts", expected);
     found.pop_back();
-    const fs::path repository(found), here = fs::canonical(folder);
+    const fs::path repository(found), here = sys::canonical(folder);
     if (std::ranges::mismatch(repository, here).in1 == repository.end())
       throw Error::at(option, shown + " lies in " + printable(found, 200) + ", which looks like a repository",
                       expected);
@@ -118,8 +120,7 @@ void leave_out_stored(const Git& git, const fs::path& folder, Names& names) {
                   std::span(names).subspan(i, std::min(names_at_once, names.size() - i)), {}, '\n')) {
       const Names parts = parts_of(line, '\0');
       const fs::path path = folder / parts.front();
-      std::error_code ignored;
-      if (parts.size() == 2 && fs::is_regular_file(fs::symlink_status(path, ignored)) &&
+      if (parts.size() == 2 && kind_at(sys::path_text(path), false) == Kind::file &&
           parts.back() == "oid sha256:" + sha256_of_file(sys::path_text(path)))
         stored.insert(parts.front());
     }
@@ -134,16 +135,18 @@ bool belongs_to_others(const std::string& name) {
 
 // Adds the files beside one that is gone: its other half may be among them.
 void add_files_beside(const fs::path& gone, Changed& out) {
-  std::error_code no_folder;
   const fs::path folder = gone.has_parent_path() ? gone.parent_path() : ".";
-  for (const fs::directory_entry& each : fs::directory_iterator(folder, no_folder))
-    if (fs::is_regular_file(each.symlink_status()) && !each.path().filename().native().starts_with('.'))
-      out.files.push_back(sys::path_text(each.path().lexically_normal()));
+  (void)walk_folder(sys::path_text(folder), false, [&](const FolderEntry& each) {
+    if (each.kind == Kind::file && !each.linked && !each.name.starts_with('.'))
+      out.files.push_back(sys::path_text(fs::path(each.path).lexically_normal()));
+  });
 }
 
 bool is_full_folder(const fs::path& path) {
-  std::error_code failure;
-  return fs::is_directory(fs::symlink_status(path, failure)) && !fs::is_empty(path, failure);
+  const std::string folder = sys::path_text(path);
+  bool full = false;
+  return kind_at(folder, false) == Kind::folder &&
+         (walk_folder(folder, false, [&](const FolderEntry&) { full = true; }) || full);
 }
 
 void add_changes(const fs::path& folder, const Names& named, const std::string& commit, Changed& out) {
@@ -167,16 +170,15 @@ void add_changes(const fs::path& folder, const Names& named, const std::string& 
   for (const std::string& entry : git.list({"ls-files", "-z", "--stage"}, named, refused))
     if (entry.starts_with("160000 ")) submodules.insert(entry.substr(entry.find('\t') + 1));
   for (const std::string& name : names) {
-    std::error_code failure;
     const fs::path path = (folder / name).lexically_normal();
-    const fs::file_status status = fs::symlink_status(path, failure);
+    const auto kind = kind_at(sys::path_text(path), false);
     const bool changed_submodule = submodules.erase(name) > 0;
     if (is_full_folder(path)) {
       out.folders.push_back(sys::path_text(path));
     } else if (changed_submodule) {
       throw Error::at(sys::path_text(path), "a submodule that has changed, and is not checked out",
                       "its files (git submodule update --init)");
-    } else if (fs::exists(status) && !fs::is_directory(status)) {
+    } else if (kind && kind != Kind::folder) {
       const bool checked = belongs_to_others(name) || is_material_file_name(name);
       if (checked) (void)path_beside(sys::path_text(folder), name);
       out.files.push_back(sys::path_text(path));
@@ -187,8 +189,8 @@ void add_changes(const fs::path& folder, const Names& named, const std::string& 
   // Adds what has changed in the submodules and is not committed there. A way through links leads to no submodule.
   for (const std::string& name : submodules) {
     const fs::path path = (folder / name).lexically_normal();
-    if (!is_full_folder(path) || fs::canonical(path) != fs::canonical(folder) / name) continue;
-    if (fs::exists(path / ".git"))
+    if (!is_full_folder(path) || sys::canonical(path) != sys::canonical(folder) / name) continue;
+    if (is_there(sys::path_text(path / ".git")))
       add_changes(path, {"."}, "HEAD", out);
     else
       out.folders.push_back(sys::path_text(path));
@@ -200,14 +202,13 @@ void add_changes(const fs::path& folder, const Names& named, const std::string& 
 Changed changed_since(const std::string& commit, const std::vector<std::string>& paths) {
   std::map<std::string, Names> named;  // by the folder that git is asked in
   for (const std::string& path : paths.empty() ? Names{"."} : paths) {
-    std::error_code failure;
-    const bool is_folder = fs::is_directory(path, failure);
-    if (!fs::exists(fs::symlink_status(path, failure)))
+    const bool folder_itself = is_folder(path);
+    if (!kind_at(path, false))
       throw Error::at(option, printable(path, 200) + " does not exist",
                       "files and folders of a working tree");
-    const std::string folder = is_folder ? path : sys::path_text(fs::path(path).parent_path());
-    named[folder.empty() ? "." : folder].push_back(is_folder ? "."
-                                                             : sys::path_text(fs::path(path).filename()));
+    const std::string folder = folder_itself ? path : sys::path_text(fs::path(path).parent_path());
+    named[folder.empty() ? "." : folder].push_back(folder_itself ? "."
+                                                                 : sys::path_text(fs::path(path).filename()));
   }
   Changed out;
   for (const auto& [folder, names] : named) add_changes(folder, names, commit, out);

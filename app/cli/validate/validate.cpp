@@ -16,6 +16,7 @@
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
 #include "core/base/files/output_tree.h"
+#include "core/base/files/paths.h"
 #include "core/base/files/read_places.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
@@ -125,10 +126,9 @@ void tell_stats(const ValidationReport& report, double seconds) {
 // Checks the folder of an option before the work, and makes the folders above it where they are missing.
 void check_folder(const char* option, const std::string& folder) {
   namespace fs = std::filesystem;
-  std::error_code failure;
   const fs::path above = (fs::path(folder) / "").parent_path().parent_path();
-  if (!above.empty()) fs::create_directories(above, failure);
-  if (fs::exists(folder, failure) && !fs::is_directory(folder, failure))
+  if (!above.empty()) (void)make_folders(above);
+  if (is_there(folder) && !is_folder(folder))
     throw Error::at(option, printable(folder, 200) + " is no folder", "a folder");
   check_folder_target(folder, {}, Replace::files);
 }

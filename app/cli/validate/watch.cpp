@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/base/system.h"
 #include "core/runs/watched_files.h"
 #include "core/validate/files/result_text.h"
@@ -33,12 +34,10 @@ void refuse_what_does_not_go(const ValidateArguments& a) {
 void watch_inputs(const ValidateArguments& a, WatchedFiles& watched) {
   watched.clear();
   for (const std::string& path : a.paths) {
-    std::error_code failure;
-    const std::filesystem::path whole(path);
-    if (std::filesystem::is_directory(whole, failure))
+    if (is_folder(path))
       watched.add_folder(path, true);
     else
-      watched.add_folder(sys::path_text(whole.parent_path()), false);
+      watched.add_folder(sys::path_text(std::filesystem::path(path).parent_path()), false);
   }
   // The files of a list, and those that scenes and layouts name, may lie anywhere.
   for (const std::string& file : a.before->files()) watched.add_file(file);

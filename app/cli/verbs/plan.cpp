@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
@@ -17,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/output_tree.h"
+#include "core/base/files/paths.h"
 #include "core/base/number.h"
 #include "core/base/system.h"
 #include "core/findings/output/formats.h"
@@ -25,8 +25,6 @@
 
 namespace etak::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct PlanArguments {
   std::vector<std::string> words;  // the run: a verb and its arguments
@@ -100,12 +98,11 @@ std::string ending_of(const std::string& format) {
 std::vector<std::string> folders_of(const std::vector<std::string>& paths) {
   std::set<std::string> out;
   for (const std::string& path : paths) {
-    std::error_code failure;
-    if (!fs::is_directory(path, failure)) continue;
+    if (!is_folder(path)) continue;
     out.insert(path);
-    for (fs::recursive_directory_iterator at(path, failure), end; !failure && at != end;
-         at.increment(failure))
-      if (at->is_directory(failure)) out.insert(sys::path_text(at->path()));
+    (void)walk_folder(path, true, [&](const FolderEntry& entry) {
+      if (entry.kind == sys::FileInfo::Kind::folder) out.insert(entry.path);
+    });
   }
   return {out.begin(), out.end()};
 }
@@ -135,9 +132,8 @@ std::string told(const RunPlan& plan, const EnginePlan& of_engine) {
 
 bool has_same_files(const std::string& folder, const EnginePlan& plan) {
   return std::ranges::all_of(plan.files, [&](const auto& file) {
-    std::error_code failure;
     const std::string path = folder + '/' + file.first;
-    return fs::is_regular_file(path, failure) && read_file(path) == file.second;
+    return is_file(path) && read_file(path) == file.second;
   });
 }
 
@@ -181,8 +177,9 @@ int plan_run(const PlanArguments& a) {
     (void)validate_config(v.settings, v.paths.empty() ? "" : v.paths.front(), asked_materials(v.library));
   }
   RunPlan plan;
-  plan.folder = sys::path_text(fs::current_path());
-  plan.out = sys::path_text(fs::absolute(a.out).lexically_normal());
+  plan.folder = sys::path_text(sys::working_folder());
+  if (plan.folder.empty()) throw Error::at(".", reason_of(errno), "a file or folder that can be reached");
+  plan.out = sys::path_text(sys::absolute(a.out).lexically_normal());
   while (plan.out.size() > 1 && plan.out.ends_with('/')) plan.out.pop_back();
   plan.typed = a.out;
   plan.threads = (run.pack ? run.pack->threads : run.validate->threads) > 0;

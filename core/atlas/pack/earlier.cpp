@@ -5,29 +5,21 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/paths.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
 
 namespace etak {
-namespace {
-
-bool exists(const std::string& path) {
-  sys::FileInfo info;
-  return sys::file_info(path, info);
-}
-
-}  // namespace
-
 bool EarlierAtlas::is_whole() const {
   return layout && std::all_of(files.begin(), files.end(),
-                               [&](const std::string& name) { return exists(folder + '/' + name); });
+                               [&](const std::string& name) { return is_there(folder + '/' + name); });
 }
 
 EarlierAtlas earlier_atlas(const std::string& folder) {
   EarlierAtlas out{folder, {}, {}, ReadPlaces()};
   const std::string path = folder + '/' + layout_file_name;
-  if (!exists(path)) return out;
+  if (!is_there(path)) return out;
   try {
     out.layout = parse_layout(read_file(path), path);
   } catch (const Error&) {

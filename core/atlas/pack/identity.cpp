@@ -2,12 +2,12 @@
 #include "core/atlas/pack/identity.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <type_traits>
 #include <vector>
 
 #include "core/atlas/pack/pack.h"
 #include "core/base/files/file.h"
+#include "core/base/files/paths.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
@@ -73,7 +73,7 @@ std::vector<std::string> input_files(const PackOptions& options, const PackSourc
   }
   if (source.scene)
     for (const PictureFile& image : source.scene->scene.images)
-      if (!image.path.empty() && std::filesystem::exists(image.path)) files.push_back(image.path);
+      if (!image.path.empty() && is_there(image.path)) files.push_back(image.path);
   if (!options.input.space_config.empty()) files.push_back(options.input.space_config);
   std::sort(files.begin(), files.end());
   files.erase(std::unique(files.begin(), files.end()), files.end());

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 #include "core/atlas/pack/blocks/budget.h"
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/paths.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/image/files/containers.h"
@@ -198,9 +198,8 @@ std::size_t memory_setting(const std::string& text) {
 std::string space_config_file(const std::string& asked) {
   if (!asked.empty()) return asked;
   const char* environment = std::getenv("OCIO");
-  std::error_code failure;
   const std::string path = environment == nullptr ? "" : environment;
-  return std::filesystem::is_regular_file(path, failure) ? path : "";
+  return is_file(path) ? path : "";
 }
 
 }  // namespace etak

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <set>
 #include <type_traits>
 
@@ -11,6 +10,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/base/bytes/member_bytes.h"
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/base/files/temporary.h"
 #include "core/base/hash/sha256.h"
 #include "core/base/parallel.h"
@@ -75,8 +75,7 @@ PackCache::PackCache(CacheOptions options, const std::string& version, unsigned 
 std::string PackCache::key_of(const PackJobIdentity& job) const {
   std::string text = "job\n" + program_ + '\n' + job.settings + '\n' + job.input + '\n' + job.output + '\n';
   std::vector<std::string> files = job.files;
-  std::error_code failure;
-  if (std::filesystem::is_directory(job.input, failure)) {
+  if (is_folder(job.input)) {
     const Descriptor folder(sys::open_file(job.input, sys::Open::folder));
     if (!folder) return {};
     for (const std::string& name : names_in(folder.get())) text += name + '\n';

@@ -2,7 +2,6 @@
 #include "core/atlas/pack/source.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "core/atlas/pack/one_page.h"
 #include "core/atlas/pack/pack.h"
@@ -10,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/base/setting.h"
 
 namespace etak {
@@ -69,10 +69,9 @@ const std::vector<PackInput>& PackSource::materials() const {
 PackSource read_source(const std::string& input, const PackManifest* manifest, const PackOptions& options,
                        const MaterialLibrary& library) {
   PackSource out;
-  std::error_code failure;
   if (manifest != nullptr) {
     out.inputs = inputs_of(*manifest, options, library);
-  } else if (std::filesystem::is_directory(input, failure)) {
+  } else if (is_folder(input)) {
     out.inputs = inputs_of_folder(input, options, library);
   } else if (is_gltf_file(input)) {
     out.scene = read_scene(input, options);

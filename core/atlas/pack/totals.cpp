@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/output_folder.h"
+#include "core/base/files/paths.h"
 #include "core/base/files/steady_file.h"
 #include "core/image/blocks/blocks.h"
 #include "core/image/files/png.h"
@@ -48,7 +49,7 @@ PictureHeader header_of_file(const std::string& path, const PictureDoor& door) {
 
 TextureFile texture_file(const std::string& path, const PictureDoor& door) {
   const PictureHeader header = header_of_file(path, door);
-  return {{1, std::filesystem::file_size(path), texture_bytes(header, true)}, header.lossy};
+  return {{1, size_of_file(path), texture_bytes(header, true)}, header.lossy};
 }
 
 // What a manifest or a folder of pictures names: a file that serves several roles counts for the first.
@@ -95,7 +96,7 @@ void add_pages(std::vector<RoleTotals>& to, const PackResult& result, const Outp
       totals.gpu = page_bytes(result, number, texture);
       for (const std::string& name : files) {
         ++totals.files;
-        totals.disk += std::filesystem::file_size(folder.path_until_commit(name));
+        totals.disk += size_of_file(folder.path_until_commit(name));
       }
       add(to, texture == Texture::diffuse_alpha ? "diffuse and alpha" : "F0 and gloss", true, totals);
     }
@@ -111,9 +112,6 @@ TextureFile texture_file(const PictureFile& picture, bool unused, const PictureD
     out.lossy = header.lossy;
   } catch (const Error&) {
     if (!unused) throw;
-  } catch (const std::filesystem::filesystem_error&) {
-    if (!unused) throw;
-    out.totals.files = 0;
   }
   return out;
 }

@@ -8,6 +8,7 @@
 #include "core/atlas/sources/sources.h"
 #include "core/base/error.h"
 #include "core/base/files/links.h"
+#include "core/base/files/paths.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
 #include "core/image/picture_endings.h"
@@ -22,22 +23,20 @@ namespace fs = std::filesystem;
 std::vector<std::string> pictures_in(const std::string& folder, std::vector<std::string>& skipped) {
   std::vector<std::string> out;
   const auto list = [&](const std::string& below, auto again) -> void {
-    std::error_code failure;
-    fs::directory_iterator files(fs::path(folder) / below, failure);
-    if (failure)
-      throw Error::at(sys::path_text(fs::path(folder) / below), "cannot be read: " + failure.message(),
-                      "a folder of pictures");
-    for (const auto& entry : files) {
-      const std::string name = below + sys::path_text(entry.path().filename());
-      if (entry.is_directory(failure)) {
+    using Kind = sys::FileInfo::Kind;
+    const std::string all = sys::path_text(fs::path(folder) / below);
+    const auto unread = walk_folder(all, false, [&](const FolderEntry& entry) {
+      const std::string name = below + std::string(entry.name);
+      if (entry.kind == Kind::folder) {
         if (below.empty() && !name.starts_with('.')) again(name + '/', again);
       } else if (has_picture_ending(name)) {
-        if (entry.is_regular_file(failure) || !entry.exists(failure))
+        if (entry.kind == Kind::file || entry.kind == Kind::link)
           out.push_back(path_beside(folder, name));
         else
-          skipped.push_back(sys::path_text(entry.path()));
+          skipped.push_back(entry.path);
       }
-    }
+    });
+    if (unread) throw Error::at(all, "cannot be read: " + reason_of(unread->why), "a folder of pictures");
   };
   list("", list);
   std::ranges::sort(out);

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -167,8 +166,7 @@ bool has_name_of_descriptor(std::string_view path) {
 
 // Without links, "." and ".."; empty where there is nothing.
 std::string whole_path(const std::string& path) {
-  std::error_code failure;
-  return sys::path_text(std::filesystem::canonical(path, failure));
+  return sys::path_text(sys::canonical(path));
 }
 
 // The pipe behind an accepted path; null where there is none.

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/files/paths.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
 
@@ -22,10 +23,9 @@ fs::path or_here(const fs::path& folder) {
 
 // Whether `target`, which holds no links, is the folder or lies in it.
 bool lies_in(const fs::path& target, const fs::path& folder) {
-  std::error_code failure;
-  const fs::path whole = fs::canonical(or_here(folder), failure);
-  if (failure) return false;
-  return std::mismatch(whole.begin(), whole.end(), target.begin(), target.end()).first == whole.end();
+  const fs::path whole = sys::canonical(or_here(folder));
+  return !whole.empty() &&
+         std::mismatch(whole.begin(), whole.end(), target.begin(), target.end()).first == whole.end();
 }
 
 }  // namespace
@@ -45,10 +45,9 @@ std::string path_beside(const std::string& folder, const std::string& name) {
   for (const fs::path& part : fs::path(name)) {
     const fs::path holder = at;
     at /= part;
-    std::error_code failure;
-    if (!fs::is_symlink(fs::symlink_status(at, failure))) continue;
-    const fs::path target = fs::canonical(at, failure);
-    if (failure) break;  // the link leads nowhere, which the reader reports
+    if (!is_link(sys::path_text(at))) continue;
+    const fs::path target = sys::canonical(at);
+    if (target.empty()) break;  // the link leads nowhere, which the reader reports
     if (!lies_in(target, root) && !lies_in(target, holder))
       throw Error::at(sys::path_text(at),
                       "is a link to " + printable(sys::path_text(target), 200) + ", out of its folder",
@@ -59,8 +58,7 @@ std::string path_beside(const std::string& folder, const std::string& name) {
 
 std::string name_from(const std::filesystem::path& folder, const std::string& file) {
   namespace fs = std::filesystem;
-  std::error_code failure;
-  const fs::path whole = fs::absolute(file, failure).lexically_normal();
+  const fs::path whole = sys::absolute(file).lexically_normal();
   if (folder.empty()) return sys::path_text(whole);
   // Where the two have no folder in common, "../" would lead to the root, which differs between computers.
   const bool far = whole.root_path() != folder.root_path() || folder.relative_path().empty() ||
@@ -70,8 +68,7 @@ std::string name_from(const std::filesystem::path& folder, const std::string& fi
 }
 
 std::filesystem::path folder_of_document(const std::string& file) {
-  std::error_code failure;
-  return std::filesystem::absolute(file, failure).lexically_normal().parent_path();
+  return sys::absolute(file).lexically_normal().parent_path();
 }
 
 }  // namespace etak

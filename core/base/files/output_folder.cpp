@@ -15,6 +15,7 @@
 #include "core/base/files/descriptor.h"
 #include "core/base/files/disk_queue.h"
 #include "core/base/files/output_target.h"
+#include "core/base/files/paths.h"
 #include "core/base/files/temporary.h"
 #include "core/base/setting.h"
 #include "core/base/signals.h"
@@ -33,8 +34,7 @@ bool is_layout(const std::string& name) {
 
 // Whether the process works in the folder or below.
 bool holds_working_folder(const std::string& folder) {
-  std::error_code failure;
-  const std::string here = sys::path_text(std::filesystem::current_path(failure));
+  const std::string here = sys::path_text(sys::working_folder());
   return here == folder || here.starts_with(folder + "/");
 }
 
@@ -67,18 +67,13 @@ class MadeParents {
   MadeParents(const MadeParents&) = delete;
   MadeParents& operator=(const MadeParents&) = delete;
   ~MadeParents() {
-    std::error_code failure;
-    for (; !made_.empty(); made_.pop_back()) std::filesystem::remove(made_.back(), failure);
+    for (; !made_.empty(); made_.pop_back()) sys::remove_folder(made_.back());
   }
-  void make(const std::filesystem::path& folder, std::error_code& failure) {
-    if (std::filesystem::exists(folder, failure) || failure || !folder.has_relative_path()) return;
-    make(folder.parent_path(), failure);
-    if (!failure && std::filesystem::create_directory(folder, failure)) made_.push_back(folder);
-  }
+  bool make(const std::filesystem::path& folder) { return make_folders(folder, &made_); }
   void keep() { made_.clear(); }
 
  private:
-  std::vector<std::filesystem::path> made_;
+  std::vector<std::string> made_;
 };
 
 }  // namespace
@@ -126,21 +121,21 @@ struct OutputFolder::State {
 
 void OutputFolder::State::find_target() {
   namespace fs = std::filesystem;
-  std::error_code failure;
-  fs::path full = fs::absolute(path, failure);
-  if (path.empty() || failure) throw Error::at(path, "is no folder's name");
+  fs::path full = sys::absolute(path);
+  if (!full.is_absolute()) throw Error::at(path, "is no folder's name");
   if (!full.has_filename()) full = full.parent_path();  // "out/"
-  const fs::file_status status = fs::status(full, failure);
-  if (fs::exists(status) && !fs::is_directory(status))
+  const auto kind = kind_at(sys::path_text(full));
+  const bool there = kind.has_value();
+  if (there && kind != sys::FileInfo::Kind::folder)
     throw Error::at(path, "is a file", "a folder to write to");
-  const bool there = fs::exists(status);
-  if (!there) made.make(full.parent_path(), failure);
-  if (failure) throw Error::at(path, "cannot be written: " + failure.message(), "a folder that can be made");
-  const fs::path whole =
-      there ? fs::canonical(full, failure) : fs::canonical(full.parent_path(), failure) / full.filename();
-  if (failure) throw Error::at(path, "cannot be written: " + failure.message(), "a folder that can be made");
-  if (!there && (fs::is_symlink(fs::symlink_status(full, failure)) || full.filename() == "." ||
-                 full.filename() == ".."))
+  const auto refuse = [&] {
+    throw Error::at(path, "cannot be written: " + reason_of(errno), "a folder that can be made");
+  };
+  if (!there && !made.make(full.parent_path())) refuse();
+  const fs::path bare = sys::canonical(there ? full : full.parent_path());
+  if (bare.empty()) refuse();
+  const fs::path whole = there ? bare : bare / full.filename();
+  if (!there && (is_link(sys::path_text(full)) || full.filename() == "." || full.filename() == ".."))
     throw Error::at(path, "is a link that leads nowhere", "a folder to write to");
   parent_path = sys::path_text(whole.parent_path());
   name = sys::path_text(whole.filename());

@@ -15,9 +15,8 @@ namespace {
 
 // Where a symbolic link leads, so that the link stays and its target is replaced.
 std::string behind_links(const std::string& path) {
-  std::error_code failure;
-  const auto target = std::filesystem::canonical(path, failure);
-  return failure ? path : sys::path_text(target);
+  const std::filesystem::path target = sys::canonical(path);
+  return target.empty() ? path : sys::path_text(target);
 }
 
 }  // namespace

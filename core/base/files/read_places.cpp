@@ -13,16 +13,15 @@ void ReadPlaces::add(const std::string& path, Of of) {
     return sys::file_info(sys::path_text(at), info) &&
            (info.kind == sys::FileInfo::Kind::file || info.kind == sys::FileInfo::Kind::folder);
   };
-  std::error_code failure;
   sys::FileInfo info;
   if (!info_of(path, info)) return;
   if (of == Of::files_alone) {
     places_.try_emplace({info.device, info.number}, path);
     return;
   }
-  const fs::path typed = fs::absolute(path, failure);
+  const fs::path typed = sys::absolute(path);
   // Above a link lie the folders of its name and those of its target.
-  for (const fs::path& whole : {fs::canonical(typed, failure), typed.lexically_normal()})
+  for (const fs::path& whole : {sys::canonical(typed), typed.lexically_normal()})
     for (fs::path at = whole; !at.empty(); at = at.parent_path()) {
       const bool fresh = !info_of(at, info) || places_.try_emplace({info.device, info.number}, path).second;
       // The folders above a known one are known too.

@@ -2,13 +2,13 @@
 #include "core/study/choose/choose_scene.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "core/atlas/manifest.h"
 #include "core/atlas/pack/scene/scene_output.h"
 #include "core/atlas/sources/pictures.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/material/find.h"
 #include "core/scene/gltf.h"
 
@@ -16,11 +16,6 @@ namespace etak {
 namespace {
 
 constexpr int most_side = 2048;
-
-bool is_folder(const std::string& path) {
-  std::error_code failure;
-  return std::filesystem::is_directory(path, failure);
-}
 
 // The middle of a box, at most most_side texels on a side.
 PixelBox window(PixelBox box) {

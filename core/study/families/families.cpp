@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/families/families.h"
 
-#include <fstream>
-
+#include "core/base/files/descriptor.h"
+#include "core/base/text/text.h"
 #include "core/study/study_build.h"
 
 namespace etak {
@@ -10,8 +10,10 @@ namespace {
 
 // The processor's name as the system gives it.
 std::string cpu_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
+  const Descriptor file(sys::open_file("/proc/cpuinfo", sys::Open::read));
+  std::string text(std::size_t{1} << 16, '\0');
+  text.resize(file ? read_all_at(file.get(), text, 0) : 0);
+  for (const std::string& line : parts_of(text, '\n')) {
     const auto colon = line.find(':');
     if (line.starts_with("model name") && colon != line.npos && colon + 2 <= line.size())
       return line.substr(colon + 2);

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/base/parallel.h"
 #include "core/base/system.h"
 #include "core/exchange/content_kind.h"
@@ -23,11 +24,9 @@ std::vector<KindOfFile> kinds_of(const std::vector<FileCandidate>& candidates, u
   // The kind of a .json file is told by its content. Files are opened for that, so all threads do it.
   parallel_chunks(candidates.size(), threads, 64, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) {
-      std::error_code ignored;
       const FileCandidate& candidate = candidates[i];
       KindOfFile& found = out[i];
-      found.missing =
-          !candidate.plain && !fs::exists(candidate.path, ignored) && !is_pipe_input(candidate.path);
+      found.missing = !candidate.plain && !is_there(candidate.path) && !is_pipe_input(candidate.path);
       try {
         found.kind = role_of_file(candidate.path);
         if (found.kind == FileRole::spectrum && candidate.named != Named::by_hand &&

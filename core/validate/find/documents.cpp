@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/files/between_files.h"
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/base/system.h"
 #include "core/exchange/surfaces/document.h"
 #include "core/image/picture_endings.h"
@@ -45,8 +46,7 @@ class Documents {
       BetweenFiles::call();
       const FileCandidate& candidate = searched_.files[i];
       const auto& [kind, missing, failure] = kinds[i];
-      std::error_code ignored;
-      const bool link = missing && fs::is_symlink(fs::symlink_status(candidate.path, ignored));
+      const bool link = missing && is_link(candidate.path);
       if (link && !kind && candidate.named != Named::by_hand && !candidate.path.ends_with(".json"))
         ++finds_.found.skipped;
       else if (missing && candidate.named == Named::by_list && missing_reported == most_missing_reported)

@@ -2,10 +2,13 @@
 #include "core/validate/find/file_hints.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 
+#include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/links.h"
+#include "core/base/files/paths.h"
 #include "core/base/system.h"
 #include "core/base/text/ascii.h"
 
@@ -14,11 +17,8 @@ namespace etak {
 namespace fs = std::filesystem;
 
 std::string why_missing(const std::string& path) {
-  std::error_code failure;
-  (void)fs::status(path, failure);
-  if (failure && failure != std::errc::no_such_file_or_directory)
-    return "cannot be read: " + failure.message();
-  if (fs::is_symlink(fs::symlink_status(path, failure))) return "a link that leads to no file";
+  if (!is_there(path) && errno != ENOENT) return "cannot be read: " + reason_of(errno);
+  if (is_link(path)) return "a link that leads to no file";
   return "there is no such file";
 }
 
@@ -67,10 +67,8 @@ void check_links(const std::string& folder, const std::string& path) {
 }
 
 std::string relative_label(const std::string& path, const std::string& root) {
-  std::error_code failure;
-  const fs::path whole = fs::absolute(path, failure).lexically_normal();
-  const fs::path relative =
-      whole.lexically_relative(root.empty() ? fs::current_path(failure) : fs::path(root));
+  const fs::path whole = sys::absolute(path).lexically_normal();
+  const fs::path relative = whole.lexically_relative(root.empty() ? sys::working_folder() : fs::path(root));
   return relative.empty() ? sys::path_text(whole.filename()) : relative.generic_string();
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/find/kind.h"
 
-#include <filesystem>
-
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/exchange/content_kind.h"
 #include "core/exchange/material_file.h"
 #include "core/exchange/surfaces/document.h"
@@ -43,8 +42,7 @@ std::optional<FileRole> kind_of_content(std::string_view head) {
 
 // Enough to tell a form by; empty where there is no file.
 std::string head_of_file(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored) ? read_head(path, 64) : std::string();
+  return is_file(path) ? read_head(path, 64) : std::string();
 }
 
 }  // namespace

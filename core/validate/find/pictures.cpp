@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <span>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/base/parallel.h"
 #include "core/base/system.h"
 #include "core/base/text/ascii.h"
@@ -23,8 +23,6 @@
 
 namespace etak {
 namespace {
-
-namespace fs = std::filesystem;
 
 class Pictures {
  public:
@@ -208,8 +206,7 @@ class Pictures {
         if (!picture || !(is_judged(picture->name.role) ? keys : keys_of_maps).contains(picture->key) ||
             !(is_judged(picture->name.role) || is_map(picture->name.role)))
           continue;
-        std::error_code gone;
-        if (path.ends_with(".json") || (fs::exists(path, gone) && !fs::is_regular_file(path, gone))) continue;
+        if (path.ends_with(".json") || (is_there(path) && !is_file(path))) continue;
         const auto kind = role_of_file(path);
         if (!kind || !is_picture(*kind)) continue;
         try {

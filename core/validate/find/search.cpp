@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/files/between_files.h"
 #include "core/base/files/input.h"
+#include "core/base/files/paths.h"
 #include "core/base/system.h"
 #include "core/exchange/data_folder.h"
 #include "core/validate/find/file_hints.h"
@@ -49,12 +50,10 @@ class Search {
  private:
   void add_path(const std::string& path) {
     BetweenFiles::call();
-    std::error_code failure;
-    const fs::file_status status = fs::status(path, failure);
-    if (fs::is_directory(status)) return add_folder(path);
+    const auto kind = kind_at(path);
+    if (kind == sys::FileInfo::Kind::folder) return add_folder(path);
     remember_typed(folder_of(path));
-    if (!fs::exists(status) && !is_pipe_input(path))
-      return finds_.fail(path, why_missing(path), missing_fix(path));
+    if (!kind && !is_pipe_input(path)) return finds_.fail(path, why_missing(path), missing_fix(path));
     searched_.files.push_back(
         {path, finds_.request.inputs.pass_unknown ? Named::by_list : Named::by_hand, {}, false});
   }
@@ -128,13 +127,11 @@ class Search {
     for (const FileCandidate& each : searched_.files) ++begins[begin_of(each.path)];
     if (std::ranges::count(begins, 0U) >= 2 && (begins[1] == 0 || finds_.request.inputs.paths.size() < 2))
       return;
-    std::error_code failure;
     std::map<fs::path, const FileCandidate*> whole;
     std::set<const FileCandidate*> dropped;
     for (const FileCandidate& each : searched_.files) {
       BetweenFiles::call();
-      const auto [first, fresh] =
-          whole.try_emplace(fs::absolute(each.path, failure).lexically_normal(), &each);
+      const auto [first, fresh] = whole.try_emplace(sys::absolute(each.path).lexically_normal(), &each);
       if (fresh) continue;
       const bool wins = each.named < first->second->named;
       dropped.insert(wins ? std::exchange(first->second, &each) : &each);

@@ -2,11 +2,11 @@
 #include "core/validate/repairs/repair_material.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "core/base/files/file.h"
 #include "core/base/files/output_tree.h"
+#include "core/base/files/paths.h"
 #include "core/base/text/ascii.h"
 #include "core/color/srgb.h"
 #include "core/image/files/png.h"
@@ -35,10 +35,8 @@ std::string write_colors(const Image8& from, const std::string& folder, const st
                 colors.values.data() + 3 * i);
   PngOptions options;
   options.srgb = true;
-  std::error_code failure;
   std::string path = folder + '/' + stem + ".png";
-  for (int i = 2; std::filesystem::exists(path, failure); ++i)
-    path = folder + '/' + stem + '_' + std::to_string(i) + ".png";
+  for (int i = 2; is_there(path); ++i) path = folder + '/' + stem + '_' + std::to_string(i) + ".png";
   write_file(path, png_bytes(colors, options), false);
   return path;
 }

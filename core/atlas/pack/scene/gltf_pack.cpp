@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <mutex>
 #include <set>
 
@@ -12,6 +11,7 @@
 #include "core/atlas/pack/scene/scene_maps.h"
 #include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
+#include "core/base/files/paths.h"
 #include "core/base/files/steady_file.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
@@ -28,8 +28,6 @@
 
 namespace etak {
 namespace {
-
-namespace fs = std::filesystem;
 
 // One more box costs about so many texels, for its gutter and for the waste around it.
 constexpr std::size_t island_cost = 256;
@@ -297,7 +295,7 @@ const PictureHeader& SceneRead::header(int image) const {
 TextureTotals SceneRead::image_totals(int image) const {
   const PictureFile& from = file(image);
   const std::uint64_t gpu = texture_bytes(header(image), true);
-  return {1, from.path.empty() ? from.bytes.size() : fs::file_size(from.path), gpu};
+  return {1, from.path.empty() ? from.bytes.size() : size_of_file(from.path), gpu};
 }
 
 TextureTotals SceneRead::kept_totals(int image) const {
