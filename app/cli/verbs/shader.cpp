@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cassert>
 #include <memory>
 #include <optional>
 #include <string>
@@ -151,13 +150,15 @@ std::string function_of(ShaderArguments& arguments, ShaderLanguage language) {
   return arguments.output.format == "json" ? shader_function_json(text, language, notes.remarks) : text;
 }
 
-// A picture as a PFM file whose first row is the first of the texture, at v = 0: viewers show it upside down.
+// Red, green and blue of a picture as a PFM file whose first row is the first of the texture, at v = 0: viewers show it upside
+// down.
 std::string texture_bytes(const Image& picture) {
-  assert(picture.channels == 3);
   std::string out =
       "PF\n" + std::to_string(picture.width) + ' ' + std::to_string(picture.height) + "\n-1.0\n";
-  out.reserve(out.size() + picture.values.size() * 4);
-  for (const float value : picture.values) bytes_le::append_float(out, value);
+  out.reserve(out.size() + picture.pixel_count() * 12);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (const float value : picture.at(x, y).first(3)) bytes_le::append_float(out, value);
   return out;
 }
 
