@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+'use strict';
+// The program `etak` in a worker: engine.run(words, {files, stdin, collect}) promises {status, out, outBytes, err, files, ms}.
+
+// In the worker, behind the text of etak.mjs. A run answers in its turn, and the page never waits for one.
+const workerText = `
+let etak;
+onmessage = async ({data}) => {
+  try {
+    if (data.module) {
+      etak = await start(data.module);
+      postMessage({ready: true});
+    } else {
+      const begun = performance.now();
+      const answer = await etak.run(data.words, data.options);
+      postMessage({id: data.id, answer: {...answer, ms: performance.now() - begun}});
+    }
+  } catch (error) {
+    postMessage({id: data.id, fault: String(error && error.message || error)});
+  }
+};`;
+
+const engine = {
+  worker: null, bytes: null, waiting: new Map(), next: 0, times: {},
+
+  /** What this browser lacks, as a sentence; empty where it has everything. */
+  lacks() {
+    if (typeof WebAssembly !== 'object') return 'This browser has no WebAssembly, which etak runs in.';
+    // A function with a try block, which browsers before 2022 do not know.
+    const tried = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 8, 1, 6, 0, 6, 64, 25, 11, 11];
+    if (!WebAssembly.validate(new Uint8Array(tried)))
+      return 'This browser has WebAssembly without exceptions, which etak needs: Chrome 95, Firefox 100, Safari 15.2 and later have them.';
+    if (typeof DecompressionStream !== 'function')
+      return 'This browser cannot unpack the page (it has no DecompressionStream): Chrome 80, Firefox 113, Safari 16.4 and later can.';
+    return '';
+  },
+
+  async open() {
+    const begun = performance.now();
+    const packed = atob($('module').textContent.trim());
+    const bytes = Uint8Array.from(packed, letter => letter.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+    this.bytes = await new Response(stream).arrayBuffer();
+    $('module').textContent = '';
+    this.times.unpack = performance.now() - begun;
+    await this.begin();
+    this.times.start = performance.now() - begun - this.times.unpack;
+  },
+
+  begin() {
+    const text = $('loader').textContent.replace(/^export (?=async |function |const |class )/gm, '');
+    const url = URL.createObjectURL(new Blob([text, workerText], {type: 'text/javascript'}));
+    const worker = this.worker = new Worker(url);
+    return new Promise((done, failed) => {
+      worker.onmessage = ({data}) => {
+        if (data.ready) { URL.revokeObjectURL(url); done(); }
+        else if (data.id === undefined) failed(new Error(data.fault));
+        else this.answer(data);
+      };
+      worker.onerror = event => {
+        event.preventDefault?.();
+        failed(new Error(event.message || 'the worker could not be started'));
+        if (this.worker === worker) this.restart(event.message || 'it stopped');
+      };
+      worker.postMessage({module: this.bytes});
+    });
+  },
+
+  answer({id, answer, fault}) {
+    const done = this.waiting.get(id);
+    this.waiting.delete(id);
+    if (answer?.status === 134) complain(`The program was started anew. ${messages(answer.err).join(' ')}`);
+    done?.(answer ?? {status: 134, out: '', err: `etak: ${fault}\n`, files: {}, ms: 0});
+  },
+
+  /** Ends what is running, such as an answer that nobody waits for any more, and starts the program anew. */
+  restart(why) {
+    this.worker.terminate();
+    for (const done of this.waiting.values()) done({status: 134, out: '', err: `etak: ${why}\n`, files: {}, ms: 0});
+    this.waiting.clear();
+    return this.begin().catch(error => complain(`The program cannot be started: ${error.message}`));
+  },
+
+  run(words, options = {}) {
+    return new Promise(done => {
+      this.waiting.set(++this.next, done);
+      this.worker.postMessage({id: this.next, words, options});
+    });
+  },
+
+  /** The JSON of a run, or an Error with the program's words. Exit status 1 is an answer, too: something was refused. */
+  async json(words, options) {
+    const answer = await this.run([...words, '--format', 'json'], options);
+    if (answer.status > 1 && !answer.out) throw new Error(messages(answer.err).join('; ') || `exit status ${answer.status}`);
+    const value = JSON.parse(answer.out);
+    Object.defineProperty(value, 'messages', {value: messages(answer.err)});
+    return value;
+  },
+};
