@@ -24,6 +24,7 @@ export class Browser {
       for (const text of texts) out.take(JSON.parse(text));
     });
     out.chromium.on('exit', () => { for (const {failed} of out.waiting.values()) failed(new Error('Chromium has ended')); });
+    await out.call('Browser.setDownloadBehavior', {behavior: 'allow', downloadPath: out.profile});
     return out;
   }
 
@@ -49,7 +50,6 @@ export class Browser {
     this.pages.set(sessionId, page);
     for (const domain of ['Page', 'Runtime', 'Network', 'DOM', 'Log']) await page.call(`${domain}.enable`);
     await page.call('Emulation.setEmulatedMedia', {features: [{name: 'prefers-color-scheme', value: dark ? 'dark' : 'light'}]});
-    await page.call('Browser.setDownloadBehavior', {behavior: 'allow', downloadPath: this.profile, eventsEnabled: true}).catch(() => {});
     await page.size(width, height);
     await page.call('Page.navigate', {url});
     return page;

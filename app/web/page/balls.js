@@ -16,6 +16,8 @@ const balls = {
     this.textures.clear();
     this.gl = this.canvas.getContext('webgl2', {alpha: true, antialias: false, depth: false, preserveDrawingBuffer: true});
     if (!this.gl) this.why = 'This browser offers no WebGL 2, so materials are shown as flat colours of F0 instead of balls. All numbers are the same.';
+    // Floats of 32 bits where they can be mixed, else of 16 bits, which is a code of 8 bits now and then.
+    this.form = this.gl?.getExtension('OES_texture_float_linear') ? this.gl.RGB32F : this.gl?.RGB16F;
     for (const [name, picture] of this.pictures) this.texture(name, picture);
   },
 
@@ -41,9 +43,9 @@ const balls = {
     if (bytes) {
       const head = new TextDecoder('latin1').decode(bytes.subarray(0, 40)).match(/^PF\n(\d+) (\d+)\n-1\.0\n/);
       const texels = new Float32Array(bytes.slice(head[0].length).buffer);
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB16F, Number(head[1]), Number(head[2]), 0, gl.RGB, gl.FLOAT, texels);
+      gl.texImage2D(gl.TEXTURE_2D, 0, this.form, Number(head[1]), Number(head[2]), 0, gl.RGB, gl.FLOAT, texels);
     } else {
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB16F, 1, 1, 0, gl.RGB, gl.FLOAT, new Float32Array(3));
+      gl.texImage2D(gl.TEXTURE_2D, 0, this.form, 1, 1, 0, gl.RGB, gl.FLOAT, new Float32Array(3));
     }
     for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.LINEAR);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);

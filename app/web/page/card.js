@@ -21,6 +21,13 @@ function shownLine(text, key) {
   return out;
 }
 
+/** The lines of `etak show` about one dataset. */
+function shownDataset(text, dataset) {
+  const lines = text.split('\n'), at = lines.findIndex(line => line.trimEnd() === `  ${dataset}` || line.startsWith(`  ${dataset}  (`));
+  const end = lines.indexOf('', at);
+  return at < 0 ? '' : lines.slice(at + 1, end < 0 ? undefined : end).join('\n');
+}
+
 /** The entry of a BibTeX file, as etak's Python module writes it. */
 function bibtex({authors = [], title = '', year = '', doi = '', url = '', published_in: place = '', via = '', licence = ''}) {
   const slash = {'\\': '\\textbackslash{}', '~': '\\textasciitilde{}', '^': '\\textasciicircum{}'};
@@ -136,7 +143,7 @@ const card = {
   },
 
   facts(entry, row, said, legend) {
-    const facts = [], add = (name, ...content) => { if (content.some(Boolean)) facts.push(el('dt', {}, name), el('dd', {}, ...content)); };
+    const own = shownDataset(said, row.dataset), facts = [], add = (name, ...content) => { if (content.some(Boolean)) facts.push(el('dt', {}, name), el('dd', {}, ...content)); };
     if (row.refused) add('Refused', row.refused);
     add('F0, linear', row.linear && copier(triple(row.linear), () => triple(row.linear, 6), 'F0, linear', 'copy number'));
     if (row.hex) add('8 bit, sRGB', swatch(row.hex), copier(row.srgb8.join(' '), () => row.srgb8.join(', '), '8-bit codes', 'copy number'), ' ',
@@ -151,24 +158,24 @@ const card = {
       add(flag.replaceAll('-', ' '), line ? `${line.slice(flag.length).trim()}.` : flag);
     }
     if (row.doubtful) add('Doubtful', row.doubtful);
-    add('Body', shownLine(said, 'clear') && `clear: ${shownLine(said, 'clear')}`);
-    add('Kind', shownLine(said, 'sample'));
-    add('Data', shownLine(said, 'data'));
+    add('Body', shownLine(own, 'clear') && `clear: ${shownLine(own, 'clear')}`);
+    add('Kind', shownLine(own, 'sample'));
+    add('Data', shownLine(own, 'data'));
     if (row.coverage) add('Coverage', `${fixed(row.coverage.y * 100, 2)} % of what the eye weighs`);
     add('Other publications', shownLine(said, 'spread'));
     add('The next one', shownLine(said, 'band'));
     if (!isLayered() && !state.dataset) add('Why this one', shownLine(said, 'preferred'));
-    add('Note', shownLine(said, 'note'));
+    add('Note', shownLine(own, 'note'));
     return el('dl', {class: 'facts'}, facts);
   },
 
   citation(row, said, record) {
-    const dataset = record?.material.datasets.find(each => each.id === row.dataset);
+    const own = shownDataset(said, row.dataset), dataset = record?.material.datasets.find(each => each.id === row.dataset);
     const text = `etak, ${subjectOf(state.id, row.dataset && !isLayered() ? row.dataset : '')}: F0 ${row.hex ?? '-'} (${triple(row.linear)}, linear sRGB). ${row.source}`;
     const doi = row.source?.match(/doi:(10\.\d{4,9}\/[^\s,;]+)/)?.[1];
     return el('section', {class: 'citation'}, el('h3', {}, 'Source'),
       el('p', {}, row.source || 'no source is stated', ' ', doi && el('a', {href: `https://doi.org/${encodeURI(doi)}`, rel: 'noopener noreferrer', target: '_blank'}, 'open the publication')),
-      el('p', {class: 'soft'}, [shownLine(said, 'via'), shownLine(said, 'licence')].filter(Boolean).join('. Licence: ')),
+      el('p', {class: 'soft'}, [shownLine(own, 'via'), shownLine(own, 'licence')].filter(Boolean).join('. Licence: ')),
       el('p', {class: 'tools'}, copier('Copy citation', () => text, 'the citation'),
         dataset?.citation && copier('Copy BibTeX', () => bibtex(dataset.citation), 'the BibTeX entry')));
   },

@@ -10,7 +10,7 @@ async function curveParts(entry, subject, words) {
   const out = [];
   try {
     const angle = await engine.json(['curve', subject, '--of', 'F', ...['spectrum', ...others].flatMap(term => ['--term', term]), '-q', ...words]);
-    const kinds = ['true', 'other', 'third'], labels = ['measured', ...others.map(term => names[term])];
+    const kinds = ['true', 'other', 'third'], labels = [isLayered() ? 'exact' : 'measured', ...others.map(term => names[term])];
     const curves = angle.curves.map((curve, i) => ({...curve, label: labels[i] ?? curve.title, kind: kinds[i % 3]}));
     out.push(chart({title: 'Over the angle', x: 'degrees from the normal', y: angle.y, curves, zones: angle.zones.slice(1)}),
       el('ul', {class: 'soft errors'}, curves.slice(1).map(curve => el('li', {}, `${distanceOf(curves[0], curve)}.`))));
@@ -59,14 +59,16 @@ async function compareParts(entry, subject, words) {
   list.value = state.b;
   const other = library.get(state.b), out = [el('p', {class: 'tools'}, el('label', {}, 'with ', list),
     other && el('button', {type: 'button', click: () => { const was = state.id; choose(other.id, was); }}, 'Swap'))];
-  if (!other?.row) return out;
-  const found = await distanceTo(subject, other, words);
-  const sides = [[entry, entry.row], [other, other.row]].map(([each, row]) => {
+  if (!other) return out;
+  const [found, plain] = await Promise.all([distanceTo(subject, other, words), engine.json(['f0', other.id, '-q', ...words])]);
+  // The other one is as the library has it, without film and coat.
+  const mine = state.dataset ? (await engine.json(['f0', subject, '-q', ...words])).results[0] : entry.row;
+  const sides = [[entry, mine], [other, plain.results[0]]].map(([each, row]) => {
     const canvas = el('canvas', {width: 0, height: 0, 'aria-hidden': 'true'});
-    if (balls.gl) balls.shader(shaderWords(each === entry ? subject : subjectOf(each.id), modelOf(each), balls.sizeOf(130)))
+    if (balls.gl) balls.shader(shaderWords(each === other ? other.id : subject, modelOf(each), balls.sizeOf(130)))
       .then(shader => balls.show(shader, canvas, balls.sizeOf(130))).catch(() => {});
     return el('figure', {}, el('span', {class: 'ball'}, swatch(row.hex, 'disc'), canvas),
-      el('figcaption', {}, el('b', {}, each.name), el('br'), row.hex, el('br'), triple(row.linear)));
+      el('figcaption', {}, el('b', {}, each === entry && isLayered() ? `${each.name} with its layers` : each.name), el('br'), row.hex, el('br'), triple(row.linear)));
   });
   out.push(el('div', {class: 'pair'}, sides), el('p', {id: 'difference'}, found
     ? `ΔE ${fixed(found.delta_e2000, 2)} (CIEDE2000) between their F0${found.band_share ? `; that is ${fixed(found.band_share, 2)} of the distance within which nine of ten new publications of ${other.name} would lie` : ''}. About 1 is what an eye can tell.`

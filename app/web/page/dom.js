@@ -13,7 +13,7 @@ function el(tag, attributes = {}, ...children) {
     if (typeof value === 'function') out.addEventListener(name, value);
     else if (value !== undefined && value !== null && value !== false) out.setAttribute(name, value === true ? '' : value);
   }
-  out.append(...children.flat().filter(child => child !== null && child !== undefined && child !== false));
+  out.append(...children.flat(Infinity).filter(child => child !== null && child !== undefined && child !== false));
   return out;
 }
 

@@ -90,7 +90,7 @@ const engine = {
 
   /** The JSON of a run, or an Error with the program's words. Exit status 1 is an answer, too: something was refused. */
   async json(words, options) {
-    const answer = await this.run([...words, '--format', 'json'], options);
+    const answer = await this.run([words[0], '--format', 'json', ...words.slice(1)], options);
     if (answer.status > 1 && !answer.out) throw new Error(messages(answer.err).join('; ') || `exit status ${answer.status}`);
     const value = JSON.parse(answer.out);
     Object.defineProperty(value, 'messages', {value: messages(answer.err)});

@@ -94,7 +94,8 @@ const files = {
     let results = [];
     try { results = JSON.parse(answer.out).results; } catch { /* nothing was answered: the messages say why */ }
     const said = messages(answer.err);
-    $('work').textContent = `${said.pop() ?? `exit status ${answer.status}`} (${fixed(answer.ms, 0)} ms)`;
+    const sum = / (answered|failed)/.test(said.at(-1) ?? '') ? said.pop() : said.length ? 'Nothing was answered' : '1 answered';
+    $('work').textContent = `${sum} (${fixed(answer.ms, 0)} ms)`;
     const csv = async () => {
       const saved = await engine.run([...words, '--format', 'csv', ...inputs], {files: content});
       save('f0.csv', saved.out, 'text/csv');
@@ -105,7 +106,7 @@ const files = {
       : ['-', '-', '-', '-', '-', row.refused ?? 'refused'])]);
     $('results').replaceChildren(...[
       results.length > 0 && el('p', {class: 'tools'}, el('button', {type: 'button', id: 'save-csv', click: csv}, 'Save as CSV')),
-      said.length > 0 && el('details', {open: said.length < 20, class: 'said'}, el('summary', {}, `${said.length} ${said.length === 1 ? 'message' : 'messages'}`),
+      said.length > 0 && el('details', {open: said.length < 20, class: 'said'}, el('summary', {}, `${said.length} ${said.length === 1 ? 'message' : 'messages'} of the program`),
         el('ul', {id: 'said'}, said.slice(0, 1000).map(line => el('li', {}, line)))),
       shown.length > 0 && table(['file', 'hex', '8 bit', 'F0, linear', 'F82', 'Y', 'flags'], cells),
       results.length > shown.length && el('p', {class: 'soft'}, `${shown.length} of ${results.length} rows are shown; the CSV holds all.`)].filter(Boolean));

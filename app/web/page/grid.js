@@ -68,7 +68,8 @@ const grid = {
     // A name or an alias that is exactly what was typed stands first: Au is gold, not a word with au in it.
     const exact = entry => wanted && [entry.id, entry.name, ...entry.aliases].some(text => text.toLowerCase() === wanted) ? 0 : 1;
     const byName = (a, b) => a.name < b.name ? -1 : a.name > b.name ? 1 : 0;
-    this.shown = [...library.values()].filter(entry => (!this.family || familyOf(entry) === this.family) && (!wanted || has(entry)));
+    // Under a film or a coat only media of n and k have an F0.
+    this.shown = [...library.values()].filter(entry => (entry.row || !isLayered()) && (!this.family || familyOf(entry) === this.family) && (!wanted || has(entry)));
     this.shown.sort((a, b) => exact(a) - exact(b)
       || (order === 'Y' ? (a.row?.Y ?? a.Y) - (b.row?.Y ?? b.Y) : order === 'name' ? 0 : rank(a) - rank(b)) || byName(a, b));
     $('grid').replaceChildren(...this.shown.map(entry => this.cells.get(entry.id).item));
@@ -109,6 +110,8 @@ const grid = {
 
   /** Takes the rows of F0 under the settings of now: codes and discs change at once, balls follow. */
   refresh() {
+    if (isLayered() !== this.layered || $('order').value === 'Y') this.filter();
+    this.layered = isLayered();
     for (const {entry, disc, hex, item} of this.cells.values()) {
       const shown = entry.row?.hex ?? '';
       disc.style.background = shown || 'transparent';

@@ -5,6 +5,7 @@
 /** Opens the card of a material, or closes it where `id` is empty. */
 function choose(id, b = state.b) {
   Object.assign(state, {id, dataset: '', b, view: 'materials'});
+  complain('');
   showView('materials');
   grid.mark();
   changed({rows: false});
@@ -69,7 +70,7 @@ function tellSettings() {
   if (state.film) said.push(`${state.thickness} nm ${named(state.film)}`);
   if (state.coat) said.push(`coat of ${named(state.coat)}`);
   if (state.model) said.push(state.model);
-  $('settings-said').textContent = `: ${said.join(', ')}`;
+  $('settings-said').textContent = `(now ${said.join(', ')})`;
 }
 
 function fillSettings(models) {
@@ -168,7 +169,7 @@ async function begin() {
   colour.open();
   files.open();
   openKeys();
-  if (balls.why) complain(balls.why);
+  complain(balls.why, 'notice');
   await takeFragment(location.hash);
   document.documentElement.dataset.ready = 'rows';
   await balls.light(false).catch(() => {});
