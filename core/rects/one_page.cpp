@@ -31,11 +31,23 @@ std::vector<bool> rotations(const Frame& frame) {
   return frame.rotate ? std::vector<bool>{false, true} : std::vector<bool>{false};
 }
 
+// Climbing begins at the layout of this effort, so that a larger one finds what a smaller one does, and has this effort.
+constexpr int climbed_at = 100, climb_effort = 1000;
+
+// Of few rectangles, of which a try takes little, where some of the page is empty.
+bool worth_climbing(const Set& set, int width, int height) {
+  constexpr int most_climbed = 400;
+  constexpr double full = 0.995;
+  return set.size() <= most_climbed && set.items.front() != set.items.back() &&
+         static_cast<double>(set.area) < full * width * height;
+}
+
 // More effort never gives a larger page, because a search with less effort makes the first steps of one with
 // more. Therefore a round with rotation starts from the layout that the search without rotation had at the
 // same effort, not from its last one, and the length of a round depends on nothing else.
+//   climbed   gets the layout that effort `climbed_at` ends with; null: not wanted
 void search_both(const Set& set, const Frame& frame, const Family& upright, const Family& turned,
-                 Budget& budget, Best& best) {
+                 Budget& budget, Best& best, Best* climbed = nullptr) {
   const std::vector<int> marks = levels(frame);
   std::vector<Best> seeds;
   if (upright.least <= upright.most) {
@@ -43,6 +55,8 @@ void search_both(const Set& set, const Frame& frame, const Family& upright, cons
     Search search(set, false, frame.threads, budget);
     search.run(upright, best, marks, seeds);
   }
+  for (std::size_t i = 0; i < seeds.size() && climbed != nullptr; ++i)
+    if (marks[i] == climbed_at) *climbed = seeds[i];
   if (!frame.rotate || turned.least > turned.most) return;
   Search search(set, true, frame.threads, budget);
   Best round;
@@ -52,6 +66,7 @@ void search_both(const Set& set, const Frame& frame, const Family& upright, cons
       round = std::move(seeds[i]);
     budget.allow(turned_part(frame, marks[i]));
     search.run(turned, round);
+    if (climbed != nullptr && marks[i] == climbed_at) *climbed = round;
   }
   if (round.any && (!best.any || side_of(turned, round) < side_of(turned, best))) best = std::move(round);
 }
@@ -76,9 +91,17 @@ std::optional<Packed> pack_square(const Set& set, const Frame& frame, Budget& bu
     family.multiple = frame.multiple;
     family.least = least_square(set, rotate);
   }
-  Best best;
-  search_both(set, frame, families[0], families[1], budget, best);
+  Best best, climbed;
+  search_both(set, frame, families[0], families[1], budget, best, &climbed);
   if (!best.any) return std::nullopt;
+  if (climbed.any && worth_climbing(set, side_of(families[0], climbed), side_of(families[0], climbed))) {
+    Family& family = families[frame.rotate];
+    family.below = side_of(family, climbed);
+    budget.allow(climb_effort);
+    Best found;
+    Search(set, frame.rotate, frame.threads, budget).climb(family, found);
+    if (found.any && side_of(family, found) < side_of(family, best)) best = std::move(found);
+  }
   const int side = std::max(best.width, best.height);
   return packed(best, {side, side});
 }
@@ -187,20 +210,15 @@ class FreeSearch {
     }
   }
 
-  // A smaller page than `bound`, of its width or of another that looked good, by other orders of the rectangles; only of
-  // few rectangles, of which a try takes little, where some of the page is empty.
+  // A smaller page than `bound`, of its width or of another that looked good, by other orders of the rectangles.
   void climb(const Best& bound, Best& best) {
-    constexpr int most_climbed = 400, effort = 1000;
-    constexpr double full = 0.995;
-    if (set_.size() > most_climbed || set_.items.front() == set_.items.back() ||
-        static_cast<double>(set_.area) >= full * bound.width * bound.height)
-      return;
+    if (!worth_climbing(set_, bound.width, bound.height)) return;
     std::vector<int> widths{bound.width};
     for (const Width& each : seen_)
       if (each.width != bound.width) widths.push_back(each.width);
     Best at_best = bound;
     for (const int width : widths) {
-      budget_.allow(effort);
+      budget_.allow(climb_effort);
       Best found;
       search_.climb(family_below(width, at_best), found);
       keep(std::move(found), at_best);
@@ -253,8 +271,6 @@ class FreeSearch {
 }  // namespace
 
 std::optional<Packed> pack_free(const Set& set, const Frame& frame, Budget& budget) {
-  constexpr int climbed_at =
-      100;  // from the layout of this effort, so that a larger one finds what a smaller one does
   const std::vector<int> marks = levels(frame);
   FreeSearch upright(set, frame, budget, false);
   Best looked;

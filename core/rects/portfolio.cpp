@@ -163,4 +163,12 @@ std::vector<Try> portfolio(int n, bool rotate) {
   return out;
 }
 
+std::vector<Try> every_max_rects() {
+  std::vector<Try> out;
+  for (int key = 0; key < key_count; ++key)
+    for (const Fit fit : {Fit::short_side, Fit::area, Fit::bottom_left, Fit::contact})
+      for (const int transposed : {0, 1}) out.push_back(max_rects(static_cast<Key>(key), transposed, fit));
+  return out;
+}
+
 }  // namespace etak::rects

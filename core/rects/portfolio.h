@@ -24,4 +24,7 @@ inline constexpr int most_few = 700;
 /// The tries that are worth making for n rectangles, the most promising first.
 std::vector<Try> portfolio(int n, bool rotate);
 
+/// Every order and fit of MaxRects, from below and from the left.
+std::vector<Try> every_max_rects();
+
 }  // namespace etak::rects

@@ -318,6 +318,12 @@ void Search::go(const Family& family, Best& best) {
   for (const int deeper : {2, 3})
     go_through(
         again, family, best, [deeper](const Try&) { return deeper; }, nullptr);
+  // A square page of few rectangles is one search, which has time for every order and fit of MaxRects.
+  if (!few() || family.width > 0) return;
+  const std::vector<Try> all = every_max_rects();
+  for (const int deeper : {4, 3, 2, 1})
+    go_through(
+        all, family, best, [deeper](const Try&) { return deeper; }, nullptr);
 }
 
 Outcome Search::fill(int width, int height, std::span<const int> members, std::size_t which,
