@@ -34,7 +34,6 @@ struct AstcEncoding {
   const BlockFormat* format = nullptr;
   bool srgb = true;
   int effort = 2;
-  friend bool operator==(const AstcEncoding&, const AstcEncoding&) = default;
 };
 
 /// The functions that compress and decode ASTC. The program chooses them: astc_door() of core/image/astc_codec.h, or

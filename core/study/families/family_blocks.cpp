@@ -51,18 +51,14 @@ std::vector<AnyBlock> blocks_of(const Image8& page, const BlockFormat& format, c
   for (int top = 0; top < page.height; top += format.block_height)
     for (int left = 0; left < page.width; left += format.block_width) {
       AnyBlock& block = out.emplace_back();
-      std::array<int, 4> sum{};
       const int count = format.block_width * format.block_height;
       for (int i = 0; i < count; ++i) {
         const auto texel = page.at(std::min(page.width - 1, left + i % format.block_width),
                                    std::min(page.height - 1, top + i / format.block_width));
         std::copy_n(texel.data(), 4, block.texels[static_cast<std::size_t>(i)].data());
-        for (std::size_t c = 0; c < 4; ++c) sum[c] += texel[c];
         block.counting |= std::uint64_t{1} << i;
       }
-      std::array<std::uint8_t, 4> mean{};
-      for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / count);
-      if (!alike) block.weights = measure.weights(mean);
+      if (!alike) block.weights = measure.weights(block);
     }
   return out;
 }

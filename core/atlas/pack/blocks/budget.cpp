@@ -104,7 +104,16 @@ double BlockMeasure::fourth(std::uint8_t from, std::uint8_t to, int cutoff) cons
   return std::abs(from - to) / 2.55;
 }
 
-ChannelWeights BlockMeasure::weights(const std::array<std::uint8_t, 4>& mean) const {
+ChannelWeights BlockMeasure::weights(const AnyBlock& block) const {
+  std::array<int, 4> sum{};
+  int count = 0;
+  for (std::size_t i = 0; i < block.texels.size(); ++i) {
+    if ((block.counting >> i & 1) == 0) continue;
+    ++count;
+    for (std::size_t c = 0; c < 4; ++c) sum[c] += block.texels[i][c];
+  }
+  std::array<std::uint8_t, 4> mean{};
+  for (std::size_t c = 0; c < 4 && count > 0; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / count);
   // What a code changes is looked up around the mean.
   constexpr double alpha_percent = 1 / 2.55, least_delta_e = 0.05, most_gloss_percent = 30;
   constexpr int step = 8;

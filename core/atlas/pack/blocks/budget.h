@@ -8,7 +8,7 @@
 
 #include "core/atlas/pack/blocks/compress_options.h"
 #include "core/color/gloss.h"
-#include "core/image/blocks/encode.h"
+#include "core/image/blocks/astc_door.h"
 #include "core/image/material_pair.h"
 
 namespace etak {
@@ -45,8 +45,8 @@ class BlockMeasure {
 
   double colour_budget() const { return colour_budget_; }
   double fourth_budget() const { return fourth_budget_; }
-  /// Weights of channels for a block of about these codes: the squares of how many budgets one code is.
-  ChannelWeights weights(const std::array<std::uint8_t, 4>& mean) const;
+  /// Weights of a block's channels: the squares of how many budgets one code is, at the mean of its texels that count.
+  ChannelWeights weights(const AnyBlock& block) const;
 
  private:
   bool is_gloss_;

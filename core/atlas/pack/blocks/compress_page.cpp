@@ -155,16 +155,7 @@ class LevelInBlocks {
 
   // The same with the weights of its channels.
   AnyBlock weighted(AnyBlock block) const {
-    std::array<int, 4> sum{};
-    int count = 0;
-    for (std::size_t i = 0; i < codec_.texels(); ++i) {
-      if ((block.counting >> i & 1) == 0) continue;
-      ++count;
-      for (std::size_t c = 0; c < 4; ++c) sum[c] += block.texels[i][c];
-    }
-    std::array<std::uint8_t, 4> mean{};
-    for (std::size_t c = 0; c < 4 && count > 0; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / count);
-    block.weights = measure_.weights(mean);
+    block.weights = measure_.weights(block);
     return block;
   }
 
