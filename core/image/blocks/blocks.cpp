@@ -80,8 +80,8 @@ const BlockFormat* block_format_of_dxgi(std::uint32_t dxgi) {
 }
 
 const BlockFormat* block_format_named(std::string_view name) {
-  const auto* const found = std::ranges::find(block_formats, name, &BlockFormat::name);
-  return found != block_formats.end() ? found : nullptr;
+  const auto found = std::ranges::find(block_formats, name, &BlockFormat::name);
+  return found != block_formats.end() ? &*found : nullptr;
 }
 
 std::size_t texture_level_bytes(const BlockFormat* format, int width, int height) {
