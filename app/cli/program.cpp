@@ -2,7 +2,6 @@
 #include "app/cli/program.h"
 
 #include <exception>
-#include <filesystem>
 #include <memory>
 #include <new>
 #include <string_view>
@@ -144,10 +143,6 @@ int run_line(const std::vector<std::string>& words, CommandLine& line) {
     return run(without_names_as_options(words), line);
   } catch (const Error& error) {
     complain(error.what());
-  } catch (const std::filesystem::filesystem_error& error) {
-    complain(Error::at(printable(sys::path_text(error.path1()), 200), error.code().message(),
-                       "a file or folder that can be reached")
-                 .what());
   } catch (const std::bad_alloc&) {
     complain(out_of_memory(words));
   } catch (const std::exception& error) {

@@ -40,11 +40,13 @@ decltype(auto) with_memory_for(std::string_view place, const What& what, Work&& 
 
 /// Keeps a value until the system takes back all memory of the program at its end. To free a hundred thousand
 /// findings one by one takes a tenth of a second, in which a program that ends anyway does nothing else. For
-/// the last step of a program, by one thread.
+/// the last step of a program, by one thread. The module for browsers goes on to other work, and keeps nothing.
 template <class Value>
-void keep_to_end(Value value) {
+void keep_to_end([[maybe_unused]] Value value) {
+#ifndef __wasm__
   static auto* const kept = new std::vector<std::unique_ptr<Value>>;
   kept->push_back(std::make_unique<Value>(std::move(value)));
+#endif
 }
 
 }  // namespace etak

@@ -14,7 +14,8 @@ namespace etak::sys {
 
 // The one place of what differs between systems: files and folders by open descriptors, locks, signals,
 // terminals, memory and shared libraries. The sources system/posix_*.cpp hold it for Linux and other POSIX
-// systems, system/windows_*.cpp for Windows; nothing else in the core and in the program `etak` calls the system.
+// systems, system/windows_*.cpp for Windows, and system/memory_*.cpp, where files are a tree in memory, for WebAssembly;
+// nothing else in the core and in the program `etak` calls the system.
 // Where a call fails, it returns false or -1, and errno tells why. Paths and names are UTF-8 on Windows, and
 // bytes elsewhere. Descriptors read and write bytes as they are and are not passed on to other programs.
 // On Windows a path may hold both kinds of slashes; permissions are reduced to "read-only", and owners are

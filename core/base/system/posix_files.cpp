@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef _WIN32
+#if !defined(_WIN32) && !defined(__wasm__)
 
 #include <fcntl.h>
 #include <poll.h>
