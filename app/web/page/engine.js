@@ -30,57 +30,41 @@ const engine = {
     const tried = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 8, 1, 6, 0, 6, 64, 25, 11, 11];
     if (!WebAssembly.validate(new Uint8Array(tried)))
       return 'This browser has WebAssembly without exceptions, which etak needs: Chrome 95, Firefox 100, Safari 15.2 and later have them.';
-    if (typeof DecompressionStream !== 'function')
-      return 'This browser cannot unpack the page (it has no DecompressionStream): Chrome 80, Firefox 113, Safari 16.4 and later can.';
     return '';
   },
 
   async open() {
     const begun = performance.now();
-    const packed = atob($('module').textContent.trim());
-    const bytes = Uint8Array.from(packed, letter => letter.charCodeAt(0));
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-    this.bytes = await new Response(stream).arrayBuffer();
+    const bytesOf = id => Uint8Array.from(atob($(id).textContent.trim()), letter => letter.charCodeAt(0));
+    const {instance: {exports: door}} = await WebAssembly.instantiate(bytesOf('unpacker'));
+    const packed = bytesOf('module'), size = new DataView(packed.buffer).getUint32(5, true);
+    const from = door.room(packed.length), to = door.room(size);
+    new Uint8Array(door.memory.buffer).set(packed, from);
+    door.unpack(from, to, size);
+    this.bytes = door.memory.buffer.slice(to, to + size);
     $('module').textContent = '';
     this.times.unpack = performance.now() - begun;
     await this.begin();
     this.times.start = performance.now() - begun - this.times.unpack;
   },
 
-  /** A worker with the program in it; `take` gets its answers, `ended` is called where it stops by itself. */
-  spawn(take, ended) {
+  begin() {
     const text = $('loader').textContent.replace(/^export (?=async |function |const |class )/gm, '');
     const url = URL.createObjectURL(new Blob([text, workerText], {type: 'text/javascript'}));
-    const worker = new Worker(url);
+    const worker = this.worker = new Worker(url);
     return new Promise((done, failed) => {
       worker.onmessage = ({data}) => {
-        if (data.ready) { URL.revokeObjectURL(url); done(worker); }
+        if (data.ready) { URL.revokeObjectURL(url); done(); }
         else if (data.id === undefined) failed(new Error(data.fault));
-        else take(data);
+        else this.answer(data);
       };
       worker.onerror = event => {
-        event.preventDefault();
+        event.preventDefault?.();
         failed(new Error(event.message || 'the worker could not be started'));
-        ended(event.message || 'it stopped');
+        if (this.worker === worker) this.restart(event.message || 'it stopped');
       };
       worker.postMessage({module: this.bytes});
     });
-  },
-
-  async begin() {
-    this.worker = await this.spawn(data => this.answer(data), why => this.restart(why));
-  },
-
-  /** A long run beside the others, in a worker of its own. */
-  async aside(words, options) {
-    let taken;
-    const answer = new Promise(done => { taken = done; });
-    const nothing = {status: 134, out: '', err: '', files: {}};
-    const worker = await this.spawn(data => taken(data.answer ?? nothing), () => taken(nothing));
-    worker.postMessage({id: 0, words, options});
-    const out = await answer;
-    worker.terminate();
-    return out;
   },
 
   answer({id, answer, fault}) {
@@ -92,7 +76,7 @@ const engine = {
 
   /** Ends what is running, such as an answer that nobody waits for any more, and starts the program anew. */
   restart(why) {
-    this.worker?.terminate();
+    this.worker.terminate();
     for (const done of this.waiting.values()) done({status: 134, out: '', err: `etak: ${why}\n`, files: {}, ms: 0});
     this.waiting.clear();
     return this.begin().catch(error => complain(`The program cannot be started: ${error.message}`));

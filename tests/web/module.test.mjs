@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the module is: exceptions, traps, hostile inputs, size, the package for npm, and times.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {existsSync, readFileSync, readdirSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import test from 'node:test';
+import {gzipSync} from 'node:zlib';
+import {build, etak, filesBelow, fresh, inFolder, medianTime, module, root, wasm} from './support.mjs';
+
+test('exceptions of C++ are thrown, caught, kept and thrown again', () => {
+  const file = readFileSync(join(build, 'bin/etak_exceptions.wasm'));
+  const {exports} = new WebAssembly.Instance(new WebAssembly.Module(file), {etak: {now: () => 0}});
+  exports._initialize();
+  const told = () => {
+    const at = exports.told(), memory = Buffer.from(exports.memory.buffer);
+    return memory.subarray(at, memory.indexOf(0, at)).toString().split('\n');
+  };
+  for (let i = 0; i < 3; ++i)
+    assert.deepEqual(told(), ['again one', 'again one', 'b 2', 'c 3 uncaught 0', 'inner', 'int 1', 'text', 'alive 0',
+      'in a destructor uncaught 1', 'int 2', 'no memory', 'out of range', '100000', '']);
+});
+
+test('the module asks its host for the time alone', () => {
+  assert.deepEqual(WebAssembly.Module.imports(module).map(each => `${each.module}.${each.name}`), ['etak.now']);
+});
+
+test('module and page keep their sizes', context => {
+  const packed = gzipSync(wasm, {level: 9}).length;
+  context.diagnostic(`etak.wasm ${wasm.length} bytes, ${packed} by gzip`);
+  assert.ok(packed < 2.4e6, `${packed} bytes by gzip`);
+  const page = join(build, 'etak.html');
+  if (existsSync(page)) assert.ok(readFileSync(page).length <= 2.4e6, `${readFileSync(page).length} bytes of etak.html`);
+});
+
+test('a run that needs more memory than there is ends with a sentence, and the next one works', async () => {
+  const own = await fresh();
+  const before = own.run(['f0', 'gold']);
+  // A header of 60,000 x 60,000 texels.
+  const png = Buffer.from('iVBORw0KGgoAAAANSUhEUgAA6mAAAOpgCAYAAAA=', 'base64');
+  const deep = own.run(['validate', 'x.gltf'], {files: {'x.gltf': '['.repeat(5e6)}});
+  assert.notEqual(deep.status, 0);
+  assert.match(deep.out + deep.err, /x\.gltf/);
+  const huge = own.run(['validate', 'x.png'], {files: {'x.png': png}});
+  assert.notEqual(huge.status, 0);
+  assert.ok(huge.err.length + huge.out.length > 0);
+  assert.deepEqual(own.run(['f0', 'gold']), before);
+});
+
+test('a trap is status 134 and one line, and the next run has a new instance', async () => {
+  const own = await fresh(), before = own.run(['f0', 'gold']);
+  const got = own.run(['f0', '-'], {stdin: {length: 2 ** 31 - 1}});  // no bytes: the copy fails
+  assert.equal(got.status, 134);
+  assert.match(got.err, /^etak f0: .+\n$/);
+  assert.deepEqual(own.run(['f0', 'gold']), before);
+});
+
+test('nothing of the fuzz corpus stops the module', () => {
+  const ends = ['.png', '.dds', '.ktx2', '.gltf', '.glb', '.yml', '.csv', '.json', '.mtlx', '.usda', '.toml', ''];
+  for (const [path, bytes] of filesBelow(join(root, 'tests/fuzz/corpus')))
+    for (const end of ends)
+      for (const cut of [bytes, bytes.subarray(0, bytes.length >> 1)])
+        for (const verb of ['f0', 'validate']) {
+          const got = etak.run([verb, `x${end}`], {files: {[`x${end}`]: cut}});
+          assert.ok(got.status <= 2, `${verb} ${path} as x${end}: ${got.status} ${got.err}`);
+        }
+});
+
+test('a thousand runs leave no memory behind', async () => {
+  const own = await fresh(), files = {'a.csv': 'wavelength_nm,n,k\n360,1.5,0\n830,1.5,0\n'};
+  const rounds = count => {
+    for (let i = 0; i < count; ++i) {
+      own.run(['f0', 'gold', 'a.csv', '-v'], {files});
+      own.run(['f0', '-'], {stdin: files['a.csv']});
+      own.run(['f0', 'golt']);
+    }
+    return own.memory();
+  };
+  const first = rounds(50);
+  assert.equal(rounds(300), first);
+});
+
+test('the package for npm works where nothing else is', {skip: readdirSync(build).some(name => name.endsWith('.tgz')) ? false : 'no package'}, () => {
+  inFolder(folder => {
+    const packed = readdirSync(build).find(name => name.endsWith('.tgz'));
+    execFileSync('tar', ['-xzf', join(build, packed), '-C', folder]);
+    writeFileSync(join(folder, 'try.mjs'), `import {start} from './package/index.mjs';
+const etak = await start();
+console.log(etak.run(['f0', 'gold']).out + etak.f0('copper').results.length);`);
+    const out = execFileSync('node', [join(folder, 'try.mjs')]).toString();
+    assert.ok(out.includes('gold') && out.endsWith('1\n'), out);
+  });
+});
+
+test('a table of all materials is there at once', async context => {
+  const begin = performance.now();
+  const own = await fresh(), started = performance.now();
+  own.run(['f0', '--all', '--format', 'csv']);
+  const first = performance.now(), kinds = ['A', 'D50', 'E', 'D65'];
+  const warm = medianTime(20, i => own.run(['f0', '--all', '--format', 'csv', '--illuminant', kinds[i % 4]]));
+  context.diagnostic(`start ${(started - begin).toFixed(1)} ms, first table ${(first - started).toFixed(1)} ms, later ${warm.toFixed(1)} ms`);
+  assert.ok(warm < 400, `${warm} ms`);  // ten times what an idle machine takes
+});
