@@ -64,7 +64,7 @@ async function values(browser) {
   await claim('the values for an engine are the program\'s', async () => {
     await page.value(`location.hash = '#copper'`);
     const targets = json('export', 'copper', '--to', 'values').materials[0].targets;
-    await page.until(`${cardText}.includes('Copper') && document.querySelector('#part-engines pre')`);
+    await page.until(`document.querySelector('#card h2').textContent === 'Copper' && document.querySelector('#part-engines pre')`);
     for (const target of targets) {
       await page.value(set('engine', target.id));
       assert.equal(await page.value("document.querySelector('#part-engines pre').textContent"), target.copy);

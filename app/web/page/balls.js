@@ -24,13 +24,14 @@ const balls = {
   /** Makes the pictures of the studio's light: at first coarse ones at once, later full ones. */
   async light(quick) {
     if (!this.gl) return;
-    const answer = await engine.run(['shader', 'f0=1', ...studioWords, '--textures', 'light', ...(quick ? ['--quick'] : []), '-q'], {collect: true});
+    const answer = await (quick ? engine.run : engine.aside).call(engine, ['shader', 'f0=1', ...studioWords, '--textures', 'light', ...(quick ? ['--quick'] : []), '-q'], {collect: true});
     if (answer.status) throw new Error(messages(answer.err).join('; '));
     for (const [path, bytes] of Object.entries(answer.files)) {
       const name = path.replace(/^.*\//, '').replace(/\.pfm$/, '');
       this.pictures.set(name, bytes);
       this.texture(name, bytes);
     }
+    this.lit = true;
   },
 
   /** A picture in the form PFM (three floats a pixel, first row at v = 0) as a texture; others until it is there are black. */

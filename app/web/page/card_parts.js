@@ -65,7 +65,7 @@ async function compareParts(entry, subject, words) {
   const mine = state.dataset ? (await engine.json(['f0', subject, '-q', ...words])).results[0] : entry.row;
   const sides = [[entry, mine], [other, plain.results[0]]].map(([each, row]) => {
     const canvas = el('canvas', {width: 0, height: 0, 'aria-hidden': 'true'});
-    if (balls.gl) balls.shader(shaderWords(each === other ? other.id : subject, modelOf(each), balls.sizeOf(130)))
+    if (balls.gl && balls.lit) balls.shader(shaderWords(each === other ? other.id : subject, modelOf(each), balls.sizeOf(130)))
       .then(shader => balls.show(shader, canvas, balls.sizeOf(130))).catch(() => {});
     return el('figure', {}, el('span', {class: 'ball'}, swatch(row.hex, 'disc'), canvas),
       el('figcaption', {}, el('b', {}, each === entry && isLayered() ? `${each.name} with its layers` : each.name), el('br'), row.hex, el('br'), triple(row.linear)));

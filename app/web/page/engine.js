@@ -48,23 +48,40 @@ const engine = {
     this.times.start = performance.now() - begun - this.times.unpack;
   },
 
-  begin() {
+  /** A worker with the program in it; `take` gets its answers, `ended` is called where it stops by itself. */
+  spawn(take, ended) {
     const text = $('loader').textContent.replace(/^export (?=async |function |const |class )/gm, '');
     const url = URL.createObjectURL(new Blob([text, workerText], {type: 'text/javascript'}));
-    const worker = this.worker = new Worker(url);
+    const worker = new Worker(url);
     return new Promise((done, failed) => {
       worker.onmessage = ({data}) => {
-        if (data.ready) { URL.revokeObjectURL(url); done(); }
+        if (data.ready) { URL.revokeObjectURL(url); done(worker); }
         else if (data.id === undefined) failed(new Error(data.fault));
-        else this.answer(data);
+        else take(data);
       };
       worker.onerror = event => {
-        event.preventDefault?.();
+        event.preventDefault();
         failed(new Error(event.message || 'the worker could not be started'));
-        if (this.worker === worker) this.restart(event.message || 'it stopped');
+        ended(event.message || 'it stopped');
       };
       worker.postMessage({module: this.bytes});
     });
+  },
+
+  async begin() {
+    this.worker = await this.spawn(data => this.answer(data), why => this.restart(why));
+  },
+
+  /** A long run beside the others, in a worker of its own. */
+  async aside(words, options) {
+    let taken;
+    const answer = new Promise(done => { taken = done; });
+    const nothing = {status: 134, out: '', err: '', files: {}};
+    const worker = await this.spawn(data => taken(data.answer ?? nothing), () => taken(nothing));
+    worker.postMessage({id: 0, words, options});
+    const out = await answer;
+    worker.terminate();
+    return out;
   },
 
   answer({id, answer, fault}) {
@@ -76,7 +93,7 @@ const engine = {
 
   /** Ends what is running, such as an answer that nobody waits for any more, and starts the program anew. */
   restart(why) {
-    this.worker.terminate();
+    this.worker?.terminate();
     for (const done of this.waiting.values()) done({status: 134, out: '', err: `etak: ${why}\n`, files: {}, ms: 0});
     this.waiting.clear();
     return this.begin().catch(error => complain(`The program cannot be started: ${error.message}`));

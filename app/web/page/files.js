@@ -26,31 +26,41 @@ const files = {
       });
   },
 
-  /** Files of a drop, with those of its folders. The entries must be asked for before anything is waited for. */
+  /** Files of a drop, with those of its folders. All must be asked for before anything is waited for. A page from a disk cannot
+   *  read a folder by its entries in Chromium, but by its handle; other browsers have entries alone. */
   async dropped(transfer) {
-    const entries = [...transfer.items].filter(item => item.kind === 'file').map(item => item.webkitGetAsEntry?.() ?? item.getAsFile());
+    const items = [...transfer.items].filter(item => item.kind === 'file').map(item => ({file: item.getAsFile(),
+      entry: item.webkitGetAsEntry?.(), handle: item.getAsFileSystemHandle?.().catch(() => null)}));
     const found = [];
-    const walk = async entry => {
-      if (!entry) return;
-      if (entry instanceof File) found.push({path: entry.name, file: entry});
-      else if (entry.isFile) found.push({path: entry.fullPath.replace(/^\//, ''), file: await new Promise((done, failed) => entry.file(done, failed))});
-      else {
-        const reader = entry.createReader();
-        for (;;) {
-          const some = await new Promise((done, failed) => reader.readEntries(done, failed));
-          if (!some.length) break;
-          for (const each of some) await walk(each);
-        }
+    for (const {file, entry, handle} of items) {
+      try {
+        if (!entry?.isDirectory) found.push({path: file.name, file});
+        else if (await handle) await this.walkHandle(await handle, entry.name, found);
+        else await this.walkEntry(entry, found);
+      } catch (error) {
+        complain(`${entry?.name ?? file?.name}: this browser does not let the page read what was dropped (${error.message}); "Choose a folder" can.`);
+        return undefined;
       }
-    };
-    try {
-      for (const entry of entries) await walk(entry);
-    } catch (error) {
-      complain(`The browser could not read what was dropped: ${error.message}`);
     }
     // A picture over the colour's panel is one to pick from.
     if (state.view === 'colour' && found.length === 1 && found[0].file.type.startsWith('image/')) return colour.picture(found[0].file);
     return this.take(found);
+  },
+
+  async walkHandle(handle, path, found) {
+    for await (const [name, child] of handle.entries())
+      if (child.kind === 'directory') await this.walkHandle(child, `${path}/${name}`, found);
+      else found.push({path: `${path}/${name}`, file: await child.getFile()});
+  },
+
+  async walkEntry(entry, found) {
+    if (entry.isFile) {
+      found.push({path: entry.fullPath.replace(/^\//, ''), file: await new Promise((done, failed) => entry.file(done, failed))});
+      return;
+    }
+    const reader = entry.createReader();
+    for (let some; (some = await new Promise((done, failed) => reader.readEntries(done, failed))).length;)
+      for (const each of some) await this.walkEntry(each, found);
   },
 
   async take(found) {

@@ -127,7 +127,7 @@ const grid = {
   },
 
   drawSoon() {
-    if (!this.soon && balls.gl) this.soon = requestAnimationFrame(() => { this.soon = 0; this.drawSome(++this.token); });
+    if (!this.soon && balls.gl && balls.lit) this.soon = requestAnimationFrame(() => { this.soon = 0; this.drawSome(++this.token); });
   },
 
   /** Draws what is in sight and stale, in the order of the page, until a newer call takes over. */

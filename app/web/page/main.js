@@ -159,8 +159,7 @@ async function begin() {
   if (lack) { complain(`${lack} The program for the command line needs no browser.`); return; }
   await engine.open();
   balls.open();
-  const [list, version, models] = await Promise.all([engine.json(['list', '-q']), engine.run(['--version']), engine.json(['models', '-q']),
-    balls.light(true).catch(error => complain(`No light for the balls: ${error.message}`))]);
+  const [list, models, version] = await Promise.all([engine.json(['list', '-q']), engine.json(['models', '-q']), engine.run(['--version'])]);
   for (const entry of list.materials) library.set(entry.id, entry);
   $('version').textContent = version.out.trim().split('\n')[0] || 'etak';
   $('search').placeholder = `Search ${library.size} materials: a name, alias or formula (press /)`;
@@ -170,9 +169,13 @@ async function begin() {
   files.open();
   openKeys();
   complain(balls.why, 'notice');
-  await takeFragment(location.hash);
+  const shown = takeFragment(location.hash);
+  await balls.light(true).catch(error => complain(`No light for the balls: ${error.message}`));
+  grid.drawSoon();
+  card.redraw();
+  await shown;
   document.documentElement.dataset.ready = 'rows';
-  await balls.light(false).catch(() => {});
+  await balls.light(false).catch(() => {});  // the coarse light stays
   grid.redraw();
   card.frame();
   document.documentElement.dataset.ready = 'all';
