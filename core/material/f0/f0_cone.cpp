@@ -26,7 +26,7 @@ FilmSpectra part_of(FilmSpectra film, std::size_t begin, std::size_t end) {
   return film;
 }
 
-// For a film whose outside has one index: the integral of 2 c R over the cosines from `least` to 1, divided by that of
+// For a film whose cone is the same at all wavelengths: the integral of 2 c R over the cosines from `least` to 1, divided by that of
 // 2 c, by 16 points for each fringe: of these a coherent layer has 2 d (1 - least) / wavelength at most in air, and not many
 // more in another medium.
 void mean_from(const FilmSpectra& film, double least, std::span<double> out) {
@@ -56,9 +56,11 @@ std::string cone_mean(const F0Setup& setup, const Optics& optics, const Quadratu
   StackSpectra spectra;
   if (std::string why = stack_spectra(setup, stack_of(optics), q, spectra); !why.empty()) return why;
   const FilmSpectra& film = spectra.film;
+  // An aperture is the sine of the cone times the index outside. All directions are a cone that no index changes.
+  const auto sine_at = [&](std::size_t i) { return std::min(aperture / film.outside[i], 1.0); };
   for (std::size_t begin = 0, end = 0; begin < out.size(); begin = end) {
-    const double outside = film.outside[begin], sine = std::min(aperture / outside, 1.0);
-    while (end < out.size() && film.outside[end] == outside) ++end;
+    const double sine = sine_at(begin);
+    while (end < out.size() && sine_at(end) == sine) ++end;
     mean_from(part_of(film, begin, end), std::sqrt(1 - sine * sine), out.subspan(begin, end - begin));
   }
   return {};
