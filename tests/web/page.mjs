@@ -5,8 +5,9 @@
 //   PICTURES   folder for pictures of the page at three widths in both themes; none are taken without it
 import {execFileSync, spawnSync} from 'node:child_process';
 import {existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
-import {join, resolve} from 'node:path';
+import {extname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 import assert from 'node:assert/strict';
 import {Browser} from './browser.mjs';
@@ -361,6 +362,36 @@ async function poorer(browser) {
   });
 }
 
+/** <etak-material> in a page of somebody else's, which serves it with etak.mjs and etak.wasm. */
+async function element(browser) {
+  const folder = /^https?:/.test(pageFile) ? '' : resolve(pageFile, '..');
+  if (!existsSync(join(folder, 'etak.wasm'))) { console.log('skip  <etak-material>: there is no etak.wasm beside the page'); return; }
+  const foreign = `<!doctype html><script type="module" src="element.js"></script><etak-material id="gold"></etak-material>
+    <etak-material id="gold/johnson-1972" illuminant="A"></etak-material><etak-material id="&lt;img src=x&gt;"></etak-material>`;
+  const kinds = {'.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm'};
+  const server = createServer((request, answer) => {
+    const name = request.url.slice(1), place = name === 'element.js' ? join(source, 'app/web/page', name) : join(folder, name);
+    answer.setHeader('Content-Type', kinds[extname(name)] ?? 'text/html');
+    answer.end(['element.js', 'etak.mjs', 'etak.wasm'].includes(name) ? readFileSync(place) : foreign);
+  });
+  await new Promise(done => server.listen(0, '127.0.0.1', done));
+  try {
+    await claim('an element shows a material in another page', async () => {
+      const page = await browser.page(`http://127.0.0.1:${server.address().port}/`);
+      const said = at => `document.querySelectorAll('etak-material')[${at}].shadowRoot?.textContent`;
+      for (const [at, words] of [[0, ['gold']], [1, ['gold/johnson-1972', '--illuminant', 'A']]]) {
+        const row = json('f0', ...words).results[0];
+        await page.until(`${said(at)}?.includes('F0 ${triple(row.linear)}, ${row.hex}')`);
+      }
+      await page.until(`${said(2)}?.includes('<img src=x>: ')`);
+      assert.equal(await page.value("document.querySelectorAll('etak-material')[2].shadowRoot.querySelectorAll('img').length"), 0);
+      await page.close();
+    });
+  } finally {
+    server.close();
+  }
+}
+
 async function takePictures(browser) {
   mkdirSync(pictures, {recursive: true});
   for (const [width, height] of [[360, 800], [1280, 900], [2560, 1440]])
@@ -385,6 +416,7 @@ try {
   await drops(browser, page);
   await silence(page);
   await poorer(browser);
+  await element(browser);
   if (pictures) await claim('no picture of the page is wider than its window', () => takePictures(browser));
 } finally {
   await browser.close();
