@@ -207,7 +207,7 @@ function writeDrops() {
     hostile: put(`${hostile.replaceAll('/', '')}.csv`, `${hostile},n,k\n1,2,3\n`), hostileTable: put('<b>bold<b>.csv', table),
     folder: (put('data/a/one.csv', table), put('data/b/two.yml', pageText), put('data/broken.csv', '\0\xff junk'), put('data/.hidden.csv', table), join(scratch, 'data')),
     textures: (put('set/crate_diff.png', png('crate_diff.png')), put('set/crate_spec.png', png('crate_spec.png')),
-      put('set/<i>x<i>_spec.png', png('grey_spec.png')), put('set/broken_spec.png', 'junk'), put('set/sky.exr', 'v/1\x01'), join(scratch, 'set')),
+      put('set/&lt;i&gt;_spec.png', png('grey_spec.png')), put('set/broken_spec.png', 'junk'), put('set/sky.exr', 'v/1\x01'), join(scratch, 'set')),
     empty: put('empty.csv', ''), deep: put('deep.json', '['.repeat(200000)),
   };
 }

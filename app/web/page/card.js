@@ -41,7 +41,7 @@ function bibtex({authors = [], title = '', year = '', doi = '', url = '', publis
 }
 
 const card = {
-  token: 0, shader: null, size: 0,
+  token: 0, shader: null, size: 0, meanings: new Map(),
 
   /** Shows the chosen material under the settings of now. What was asked for before and is not here yet, is dropped. */
   async show() {
@@ -50,15 +50,16 @@ const card = {
     if (!entry) { box.replaceChildren(el('p', {class: 'empty'}, 'A material shows its numbers and sources here.')); this.ball = null; return; }
     const subject = subjectOf(entry.id, state.dataset), words = computeWords();
     try {
-      const [f0, all, said, legend, record] = await Promise.all([
-        engine.json(['f0', subject, ...words]), engine.json(['f0', `${entry.id}/*`, ...words]),
-        engine.run(['show', subject, ...words]), engine.run(['f0', subject, '-v', ...words]),
-        engine.json(['show', entry.id]).catch(() => null)]);
+      const [f0, all, said, record] = await Promise.all([engine.json(['f0', subject, ...words]), engine.rows([`${entry.id}/*`], words),
+        engine.run(['show', subject, ...words]), engine.json(['show', entry.id]).catch(() => null)]);
       if (token !== this.token) return;
       const row = f0.results[0];
       if (!row) throw new Error(f0.messages.join('; '));
+      await this.learnFlags(row.flags, subject, words);
+      if (token !== this.token) return;
+      $('policy').textContent = `F0: ${f0.policy.text}.`;
       const focus = box.contains(document.activeElement) ? document.activeElement.id : '';
-      box.replaceChildren(this.head(entry), this.ballOf(entry), this.datasetsOf(entry, all.results, row), this.facts(entry, row, said.out, legend.out),
+      box.replaceChildren(this.head(entry), this.ballOf(entry), this.datasetsOf(entry, all, row), this.facts(entry, row, said.out),
         this.citation(row, said.out, record), ...parts.map(part => el('section', {id: `part-${part.id}`}, el('h3', {}, part.title), part.now(entry))));
       if (focus) $(focus)?.focus();
       this.redraw();
@@ -70,6 +71,13 @@ const card = {
     } catch (error) {
       if (token === this.token) box.replaceChildren(this.head(entry), el('p', {class: 'problem'}, error.message));
     }
+  },
+
+  /** Learns what flags mean from the legend below the program's table. */
+  async learnFlags(flags, subject, words) {
+    if (flags.every(flag => this.meanings.has(flag))) return;
+    const legend = (await engine.run(['f0', subject, '-v', ...words])).out.split('\n');
+    for (const flag of flags) this.meanings.set(flag, legend.find(line => line.startsWith(`${flag} `))?.slice(flag.length).trim() ?? flag);
   },
 
   head(entry) {
@@ -130,19 +138,20 @@ const card = {
   },
 
   /** The publications to choose from, with what each gives. */
-  datasetsOf(entry, rows, shown) {
+  datasetsOf(entry, all, shown) {
+    const rows = all.map(({path, hex}) => ({id: path.slice(entry.id.length + 1), hex}));
     const first = entry.preferred;
     const select = el('select', {id: 'dataset', 'aria-label': 'Dataset', change: event => {
       state.dataset = event.target.value === first ? '' : event.target.value;
       changed({rows: false});
-    }}, rows.map(row => el('option', {value: row.dataset}, `${row.dataset}  ${row.hex ?? 'refused'}${row.dataset === first ? '  (preferred)' : ''}`)));
+    }}, rows.map(({id, hex}) => el('option', {value: id}, `${id}  ${hex ?? 'refused'}${id === first ? '  (preferred)' : ''}`)));
     select.value = state.dataset || first;
-    const known = rows.some(row => row.dataset === select.value);
-    if (!known && state.dataset) select.value = rows.find(row => row.dataset.startsWith(state.dataset))?.dataset ?? shown.dataset;
+    const known = rows.some(row => row.id === select.value);
+    if (!known && state.dataset) select.value = rows.find(row => row.id.startsWith(state.dataset))?.id ?? shown.dataset;
     return el('p', {class: 'dataset'}, el('label', {}, rows.length > 1 ? `${rows.length} publications: ` : 'One publication: ', select));
   },
 
-  facts(entry, row, said, legend) {
+  facts(entry, row, said) {
     const own = shownDataset(said, row.dataset), facts = [], add = (name, ...content) => { if (content.some(Boolean)) facts.push(el('dt', {}, name), el('dd', {}, ...content)); };
     if (row.refused) add('Refused', row.refused);
     add('F0, linear', row.linear && copier(triple(row.linear), () => triple(row.linear, 6), 'F0, linear', 'copy number'));
@@ -153,10 +162,7 @@ const card = {
       inside: 'inside the forbidden zone of 0.20 to 0.45, where few materials are: semiconductors and some compounds'}[row.zone?.verdict];
     add('Luminance', Number.isFinite(row.Y) && fixed(row.Y, 4), zone && `, ${zone}`);
     if (row.coat) add('Under a coat', triple(row.coat.f0_under));
-    for (const flag of row.flags ?? []) {
-      const line = legend.split('\n').find(each => each.startsWith(`${flag} `));
-      add(flag.replaceAll('-', ' '), line ? `${line.slice(flag.length).trim()}.` : flag);
-    }
+    for (const flag of row.flags) add(flag.replaceAll('-', ' '), `${this.meanings.get(flag)}.`);
     if (row.doubtful) add('Doubtful', row.doubtful);
     add('Body', shownLine(own, 'clear') && `clear: ${shownLine(own, 'clear')}`);
     add('Kind', shownLine(own, 'sample'));

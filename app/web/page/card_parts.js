@@ -62,8 +62,8 @@ async function compareParts(entry, subject, words) {
   if (!other) return out;
   const [found, plain] = await Promise.all([distanceTo(subject, other, words), engine.json(['f0', other.id, '-q', ...words])]);
   // The other one is as the library has it, without film and coat.
-  const mine = state.dataset ? (await engine.json(['f0', subject, '-q', ...words])).results[0] : entry.row;
-  const sides = [[entry, mine], [other, plain.results[0]]].map(([each, row]) => {
+  const mine = await engine.json(['f0', subject, '-q', ...words]);
+  const sides = [[entry, mine.results[0]], [other, plain.results[0]]].map(([each, row]) => {
     const canvas = el('canvas', {width: 0, height: 0, 'aria-hidden': 'true'});
     if (balls.gl && balls.lit) balls.shader(shaderWords(each === other ? other.id : subject, modelOf(each), balls.sizeOf(130)))
       .then(shader => balls.show(shader, canvas, balls.sizeOf(130))).catch(() => {});

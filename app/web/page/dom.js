@@ -40,6 +40,9 @@ function complain(text, where = 'problem') {
 /** The messages of a run without the program's name in front. */
 const messages = err => err.split('\n').map(line => line.replace(/^etak: /, '')).filter(Boolean);
 
+/** The cells of a line of CSV. */
+const cellsOf = line => [...line.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(([, quoted, plain]) => quoted?.replaceAll('""', '"') ?? plain);
+
 /** Offers bytes or a text as a file to save. */
 function save(name, content, type) {
   const url = URL.createObjectURL(new Blob([content], {type}));

@@ -106,6 +106,15 @@ const engine = {
     });
   },
 
+  /** F0 of many materials, without what JSON has beyond the columns of CSV, in a sixth of the time: {path, hex, Y}. */
+  async rows(inputs, words) {
+    const answer = await this.run(['f0', '--format', 'csv', '-q', ...words, ...inputs]);
+    if (answer.status > 1 && !answer.out) throw new Error(messages(answer.err).join('; '));
+    const [head, ...lines] = answer.out.trimEnd().split('\n').map(cellsOf), at = name => head.indexOf(name);
+    const codes = ['u8_r', 'u8_g', 'u8_b'].map(at), hex = cells => codes.map(i => Number(cells[i]).toString(16).padStart(2, '0')).join('');
+    return lines.map(cells => ({path: cells[at('path')], Y: Number(cells[at('Y')]), hex: cells[codes[0]] === '' ? null : `#${hex(cells)}`}));
+  },
+
   /** The JSON of a run, or an Error with the program's words. Exit status 1 is an answer, too: something was refused. */
   async json(words, options) {
     const answer = await this.run([words[0], '--format', 'json', ...words.slice(1)], options);

@@ -27,7 +27,8 @@ const files = {
   },
 
   /** Files of a drop, with those of its folders. All must be asked for before anything is waited for. A page from a disk cannot
-   *  read a folder by its entries in Chromium, but by its handle; other browsers have entries alone. */
+   *  read a folder by its entries in Chromium, but by its handle, which passes over names with characters that Windows forbids; other
+   *  browsers have entries alone. */
   async dropped(transfer) {
     const items = [...transfer.items].filter(item => item.kind === 'file').map(item => ({file: item.getAsFile(),
       entry: item.webkitGetAsEntry?.(), handle: item.getAsFileSystemHandle?.().catch(() => null)}));
@@ -35,7 +36,7 @@ const files = {
     for (const {file, entry, handle} of items) {
       try {
         if (!entry?.isDirectory) found.push({path: file.name, file});
-        else if (await handle) await this.walkHandle(await handle, entry.name, found);
+        else if (location.protocol === 'file:' && await handle) await this.walkHandle(await handle, entry.name, found);
         else await this.walkEntry(entry, found);
       } catch (error) {
         complain(`${entry?.name ?? file?.name}: this browser does not let the page read what was dropped (${error.message}); "Choose a folder" can.`);

@@ -51,10 +51,8 @@ async function computeRows() {
   const layered = entries.filter(entry => entry.class !== 'surface' && entry.group !== 'film');
   const inputs = isLayered() ? layered.map(entry => subjectOf(entry.id)) : ['--all'];
   try {
-    const begun = performance.now(), answer = await engine.json(['f0', ...inputs, '-q', ...computeWords()]);
-    const rows = new Map(answer.results.map(row => [row.path, row]));
+    const begun = performance.now(), rows = new Map((await engine.rows(inputs, computeWords())).map(row => [row.path, row]));
     for (const entry of entries) entry.row = rows.get(isLayered() ? subjectOf(entry.id) : entry.id) ?? null;
-    $('policy').textContent = `F0: ${answer.policy.text}.`;
     complain('', 'settings-problem');
     engine.times.rows = performance.now() - begun;
   } catch (error) {
