@@ -48,7 +48,6 @@ std::vector<std::string> json_files(const std::string& folder, std::vector<std::
   });
   if (unread && unread->path == sys::path_text(folder))
     throw Error::at(folder, "cannot be opened: " + reason_of(unread->why), "a folder of material files");
-  if (unread) throw Error::at(unread->path, "cannot be read: " + reason_of(unread->why));
   if (files.empty()) throw Error::at(folder, "no *.json", "material files");
   std::sort(files.begin(), files.end());
   return files;
