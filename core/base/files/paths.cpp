@@ -34,10 +34,10 @@ bool is_link(const std::string& path) {
 std::filesystem::path plain_path(const std::filesystem::path& path) {
   std::filesystem::path there = sys::absolute(path), rest;
   while (there.has_relative_path() && !is_there(sys::path_text(there))) {
-    rest = there.filename() / rest;
+    rest = rest.empty() ? there.filename() : there.filename() / rest;
     there = there.parent_path();
   }
-  return (sys::canonical(there) / rest).lexically_normal();
+  return rest.empty() ? sys::canonical(there) : (sys::canonical(there) / rest).lexically_normal();
 }
 
 std::uint64_t size_of_file(const std::string& path) {
