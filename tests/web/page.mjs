@@ -179,6 +179,13 @@ async function keys(page) {
     await page.key('ArrowLeft');
     await page.until("!document.getElementById('materials').hidden");
   });
+  await claim('what the card covers on a narrow window is out of reach', async () => {
+    await page.size(400, 800);
+    await page.value("location.hash = '#copper'");
+    await page.until("document.querySelector('.library').inert && document.querySelector('header').inert");
+    await page.size(1280, 900);
+    await page.until("!document.querySelector('.library').inert");
+  });
   await claim('everything that can be pressed has a name', async () => {
     await page.value("location.hash = '#gold&b=silver'");
     await page.until(`document.getElementById('difference')`);
@@ -355,7 +362,7 @@ async function poorer(browser) {
     });
   await claim('a program that stops is started anew, and the page says so', async () => {
     const page = await opened(browser, 'gold');
-    await page.value("engine.restart('it was ended for a test')");
+    await page.value("document.getElementById('stop').click()");
     await page.value("location.hash = '#silver'");
     await page.until(`${cardText}.includes('#fefdfc')`);
     await page.close();

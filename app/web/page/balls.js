@@ -24,7 +24,7 @@ const balls = {
   /** Makes the pictures of the studio's light: at first coarse ones at once, later full ones. */
   async light(quick) {
     if (!this.gl) return;
-    const answer = await (quick ? engine.run : engine.aside).call(engine, ['shader', 'f0=1', ...studioWords, '--textures', 'light', ...(quick ? ['--quick'] : []), '-q'], {collect: true});
+    const answer = await engine.aside(['shader', 'f0=1', ...studioWords, '--textures', 'light', ...(quick ? ['--quick'] : []), '-q'], {collect: true});
     if (answer.status) throw new Error(messages(answer.err).join('; '));
     for (const [path, bytes] of Object.entries(answer.files)) {
       const name = path.replace(/^.*\//, '').replace(/\.pfm$/, '');
@@ -126,6 +126,7 @@ const balls = {
     context.globalCompositeOperation = 'copy';
     context.drawImage(this.canvas, 0, 0);
     target.classList.add('drawn');
+    engine.times.ball ??= performance.now();
   },
 
   /** Pixels of a ball that is `side` wide on the page. */

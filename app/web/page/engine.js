@@ -21,7 +21,7 @@ onmessage = async ({data}) => {
 };`;
 
 const engine = {
-  worker: null, bytes: null, waiting: new Map(), next: 0, times: {},
+  worker: null, module: null, waiting: new Map(), next: 0, times: {},
 
   /** What this browser lacks, as a sentence; empty where it has everything. */
   lacks() {
@@ -41,10 +41,11 @@ const engine = {
     const from = door.room(packed.length), to = door.room(size);
     new Uint8Array(door.memory.buffer).set(packed, from);
     door.unpack(from, to, size);
-    this.bytes = door.memory.buffer.slice(to, to + size);
     $('module').textContent = '';
     this.times.unpack = performance.now() - begun;
-    await this.begin();
+    // Compiled once for all workers.
+    this.module = await WebAssembly.compile(new Uint8Array(door.memory.buffer, to, size));
+    await (this.opened = this.begin());
     this.times.start = performance.now() - begun - this.times.unpack;
   },
 
@@ -64,7 +65,7 @@ const engine = {
         failed(new Error(event.message || 'the worker could not be started'));
         ended(event.message || 'it stopped');
       };
-      worker.postMessage({module: this.bytes});
+      worker.postMessage({module: this.module});
     });
   },
 
@@ -96,13 +97,15 @@ const engine = {
     this.worker?.terminate();
     for (const done of this.waiting.values()) done({status: 134, out: '', err: `etak: ${why}\n`, files: {}, ms: 0});
     this.waiting.clear();
-    return this.begin().catch(error => complain(`The program cannot be started: ${error.message}`));
+    this.opened = this.begin().catch(error => complain(`The program cannot be started: ${error.message}`));
+    return this.opened;
   },
 
   run(words, options = {}) {
     return new Promise(done => {
       this.waiting.set(++this.next, done);
-      this.worker.postMessage({id: this.next, words, options});
+      const id = this.next;
+      this.opened.then(() => this.worker.postMessage({id, words, options}));
     });
   },
 

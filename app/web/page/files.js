@@ -19,6 +19,7 @@ const files = {
       $('drop').classList.remove('over');
       this.dropped(event.dataTransfer);
     });
+    $('stop').addEventListener('click', () => { ++this.token; $('work').textContent = 'Stopped.'; engine.restart('it was stopped'); });
     for (const id of ['choose-files', 'choose-folder'])
       $(id).addEventListener('change', event => {
         this.take([...event.target.files].map(file => ({path: file.webkitRelativePath || file.name, file})));
@@ -89,12 +90,15 @@ const files = {
     if (token !== this.token) return;
     const names = [...new Set(Object.keys(content).map(path => path.split('/')[0]))];
     if (!names.length) { $('work').textContent = 'There is nothing in this that etak reads.'; return; }
+    const slow = setTimeout(() => { $('stop').hidden = false; }, 1500);
     try {
       await (pictures ? report.check(names, content, () => token === this.token) : this.rows(names, content, () => token === this.token));
     } catch (error) {
       complain(error.message);
       $('work').textContent = '';
     }
+    clearTimeout(slow);
+    $('stop').hidden = true;
   },
 
   /** F0 of tables, pages and folders of them. */

@@ -8,9 +8,17 @@ function choose(id, b = state.b) {
   complain('');
   showView('materials');
   grid.mark();
+  cover();
   changed({rows: false});
-  if (id && matchMedia('(max-width: 1099px)').matches) $('card').focus();
+  if (id && narrow.matches) $('card').focus();
   else if (!id) $('grid').querySelector('[tabindex="0"]')?.focus();
+}
+
+/** Where the card lies over the page, what is below it cannot be reached by keys. */
+const narrow = matchMedia('(max-width: 1099px)');
+function cover() {
+  const covered = narrow.matches && Boolean(state.id) && state.view === 'materials';
+  for (const each of [document.querySelector('header'), document.querySelector('.library'), document.querySelector('footer')]) each.inert = covered;
 }
 
 function showView(view) {
@@ -124,6 +132,7 @@ async function takeFragment(fragment) {
   showSettings();
   showView(state.view);
   grid.mark();
+  cover();
   await changed({rows: before !== computeWords().join() + subjectOf('x') || !library.get('gold')?.row});
 }
 
@@ -144,31 +153,38 @@ function openKeys() {
       else if (!typing && state.id) choose('');
     }
   });
+  narrow.addEventListener('change', cover);
   addEventListener('hashchange', () => { if (location.hash.slice(1) !== written) takeFragment(location.hash); });
 }
 
 function tellTimes() {
   const {unpack, start, rows, balls: drawn} = engine.times;
-  $('times').textContent = `Unpacked in ${fixed(unpack, 0)} ms, started in ${fixed(start, 0)} ms, all materials in ${fixed(rows, 0)} ms, balls in sight ${fixed(drawn, 0)} ms after opening.`;
+  $('times').textContent = `Unpacked in ${fixed(unpack, 0)} ms, started in ${fixed(start, 0)} ms, all materials in ${fixed(rows, 0)} ms, the first ball ${fixed(engine.times.ball, 0)} ms and all in sight ${fixed(drawn, 0)} ms after opening.`;
 }
 
 async function begin() {
   const lack = engine.lacks();
-  if (lack) { complain(`${lack} The program for the command line needs no browser.`); return; }
+  if (lack) {
+    $('loading').hidden = true;
+    complain(`${lack} The program for the command line needs no browser.`);
+    return;
+  }
   await engine.open();
   balls.open();
+  const light = balls.light(true).catch(error => complain(`No light for the balls: ${error.message}`));
   const [list, models, version] = await Promise.all([engine.json(['list', '-q']), engine.json(['models', '-q']), engine.run(['--version'])]);
   for (const entry of list.materials) library.set(entry.id, entry);
   $('version').textContent = version.out.trim().split('\n')[0] || 'etak';
   $('search').placeholder = `Search ${library.size} materials: a name, alias or formula (press /)`;
   fillSettings(models.models.filter(each => each.kind === 'specular' || each.kind === 'both'));
+  $('loading').hidden = true;
   grid.open();
   colour.open();
   files.open();
   openKeys();
   complain(balls.why, 'notice');
   const shown = takeFragment(location.hash);
-  await balls.light(true).catch(error => complain(`No light for the balls: ${error.message}`));
+  await light;
   grid.drawSoon();
   card.redraw();
   await shown;
@@ -179,4 +195,7 @@ async function begin() {
   document.documentElement.dataset.ready = 'all';
 }
 
-begin().catch(error => complain(`The page could not start: ${error.message}`));
+begin().catch(error => {
+  $('loading').hidden = true;
+  complain(`The page could not start: ${error.message}`);
+});
