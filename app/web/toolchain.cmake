@@ -10,7 +10,7 @@ set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_AR llvm-ar-${ETAK_CLANG} CACHE FILEPATH "")
 set(CMAKE_RANLIB llvm-ranlib-${ETAK_CLANG} CACHE FILEPATH "")
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-set(CMAKE_CXX_FLAGS_INIT "-Wno-deprecated -fwasm-exceptions -msimd128 -ffp-contract=off -include ${CMAKE_CURRENT_LIST_DIR}/threads.h")
+set(CMAKE_CXX_FLAGS_INIT "-Wno-deprecated -fwasm-exceptions -msimd128 -include ${CMAKE_CURRENT_LIST_DIR}/threads.h")
 # A module without main(), whose functions are called from outside. Stacks come first in memory, so that one that is too deep
 # ends the run in place of writing over data.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-mexec-model=reactor -Wl,--stack-first,-z,stack-size=2097152,--strip-all,--wrap=strtold")

@@ -37,11 +37,10 @@ bool PlainInflater::Code::make(std::span<const std::uint8_t> lengths, bool may_b
   for (const std::uint8_t length : lengths) ++count_[length];
   count_[0] = 0;
   int left = 1;
-  unsigned used = 0, most = 0;
+  unsigned most = 0;
   for (unsigned length = 1; length <= longest; ++length) {
     left = 2 * left - count_[length];
     if (left < 0) return false;
-    used += count_[length];
     if (count_[length] > 0) most = length;
   }
   if (left > 0 && !(may_be_sparse && most <= 1)) return false;
@@ -276,7 +275,7 @@ bool PlainInflater::read_lengths() {
     const unsigned value = symbol < first_repeat    ? symbol
                            : symbol == first_repeat ? lengths_[lengths_read_ - 1]
                                                     : 0;
-    std::fill_n(lengths_.begin() + lengths_read_, times, static_cast<std::uint8_t>(value));
+    std::fill_n(lengths_.data() + lengths_read_, times, static_cast<std::uint8_t>(value));
     lengths_read_ += times;
   }
   if (lengths_[end_of_block] == 0) return fail(bad_block);
