@@ -56,13 +56,17 @@ async function changed({rows = true} = {}) {
 /** F0 of all materials under the settings of now, in one run. */
 async function computeRows() {
   const entries = [...library.values()];
+  if (!isLayered() && !computeWords().length) {  // `etak list` has said them
+    for (const entry of entries) entry.row = {path: entry.id, hex: entry.hex ?? null, Y: entry.Y};
+    complain('', 'settings-problem');
+    return;
+  }
   const layered = entries.filter(entry => entry.class !== 'surface' && entry.group !== 'film');
   const inputs = isLayered() ? layered.map(entry => subjectOf(entry.id)) : ['--all'];
   try {
-    const begun = performance.now(), rows = new Map((await engine.rows(inputs, computeWords())).map(row => [row.path, row]));
+    const rows = new Map((await engine.rows(inputs, computeWords())).map(row => [row.path, row]));
     for (const entry of entries) entry.row = rows.get(isLayered() ? subjectOf(entry.id) : entry.id) ?? null;
     complain('', 'settings-problem');
-    engine.times.rows = performance.now() - begun;
   } catch (error) {
     complain(error.message, 'settings-problem');
     $('settings-box').open = true;
@@ -172,7 +176,9 @@ async function begin() {
   await engine.open();
   balls.open();
   const light = balls.light(true).catch(error => complain(`No light for the balls: ${error.message}`));
+  const begun = performance.now();
   const [list, models, version] = await Promise.all([engine.json(['list', '-q']), engine.json(['models', '-q']), engine.run(['--version'])]);
+  engine.times.rows = performance.now() - begun;
   for (const entry of list.materials) library.set(entry.id, entry);
   $('version').textContent = version.out.trim().split('\n')[0] || 'etak';
   $('search').placeholder = `Search ${library.size} materials: a name, alias or formula (press /)`;
