@@ -154,7 +154,8 @@ const card = {
   facts(entry, row, said) {
     const own = shownDataset(said, row.dataset), facts = [], add = (name, ...content) => { if (content.some(Boolean)) facts.push(el('dt', {}, name), el('dd', {}, ...content)); };
     if (row.refused) add('Refused', row.refused);
-    add('F0, linear', row.linear && copier(triple(row.linear), () => triple(row.linear, 6), 'F0, linear', 'copy number'));
+    // Of a surface it is what comes back in all directions: a diffuse colour.
+    add(entry.class === 'surface' ? 'Diffuse, linear' : 'F0, linear', row.linear && copier(triple(row.linear), () => triple(row.linear, 6), 'the linear values', 'copy number'));
     if (row.hex) add('8 bit, sRGB', swatch(row.hex), copier(row.srgb8.join(' '), () => row.srgb8.join(', '), '8-bit codes', 'copy number'), ' ',
       copier(row.hex, () => row.hex, 'hex', 'copy number'));
     add('F82', row.f82 && triple(row.f82.absolute), row.f82 && el('span', {class: 'soft'}, ' reflectance at 82 degrees, where metals lose or gain colour'));
