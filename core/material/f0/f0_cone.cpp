@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Means of the reflectance over a cone of directions.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
-#include "core/base/hash/content_hash.h"
 #include "core/film/stack.h"
 #include "core/material/f0/f0_steps.h"
 #include "core/math/quadrature.h"
@@ -50,35 +47,6 @@ void mean_from(const FilmSpectra& film, double least, std::span<double> out) {
     }
 }
 
-#ifdef __wasm__
-// A page asks for the same materials under one light after another, on which their means do not depend: they are a third to a
-// half of the time of such a table, and are kept.
-class KeptMeans {
- public:
-  /// What was computed for the same film; else an empty place for it.
-  std::vector<double>& of(const FilmSpectra& film, double aperture) {
-    ContentHash hash;
-    const auto add = [&](std::span<const double> values) {
-      const std::size_t count = values.size();
-      hash.add(&count, sizeof count);
-      hash.add(values.data(), values.size_bytes());
-    };
-    add({&aperture, 1});
-    for (const auto values : {film.wavelength_nm, film.outside, film.base.n, film.base.k}) add(values);
-    for (const FilmSpectra::Layer& layer : film.layers) {
-      const std::array<double, 2> how{layer.thickness_nm, layer.coherent ? 1.0 : 0.0};
-      for (const auto values : {std::span<const double>(how), layer.medium.n, layer.medium.k}) add(values);
-    }
-    if (means_.size() >= most) means_.clear();
-    return means_[hash.value()];
-  }
-
- private:
-  static constexpr std::size_t most = 4096;  // 4 KB each
-  std::map<std::array<std::uint64_t, 2>, std::vector<double>> means_;
-};
-#endif
-
 }  // namespace
 
 std::string cone_mean(const F0Setup& setup, const Optics& optics, const Quadrature& q, double aperture,
@@ -88,14 +56,6 @@ std::string cone_mean(const F0Setup& setup, const Optics& optics, const Quadratu
   StackSpectra spectra;
   if (std::string why = stack_spectra(setup, stack_of(optics), q, spectra); !why.empty()) return why;
   const FilmSpectra& film = spectra.film;
-#ifdef __wasm__
-  static KeptMeans kept;
-  std::vector<double>& mean = kept.of(film, aperture);
-  if (mean.size() == out.size()) {
-    std::copy(mean.begin(), mean.end(), out.begin());
-    return {};
-  }
-#endif
   // An aperture is the sine of the cone times the index outside. All directions are a cone that no index changes.
   const auto sine_at = [&](std::size_t i) { return std::min(aperture / film.outside[i], 1.0); };
   for (std::size_t begin = 0, end = 0; begin < out.size(); begin = end) {
@@ -103,9 +63,6 @@ std::string cone_mean(const F0Setup& setup, const Optics& optics, const Quadratu
     while (end < out.size() && sine_at(end) == sine) ++end;
     mean_from(part_of(film, begin, end), std::sqrt(1 - sine * sine), out.subspan(begin, end - begin));
   }
-#ifdef __wasm__
-  mean.assign(out.begin(), out.end());
-#endif
   return {};
 }
 
