@@ -50,10 +50,15 @@ process.on('exit', () => rmSync(bare, {recursive: true}));
 const program = join(bare, 'etak');
 writeFileSync(program, readFileSync(native), {mode: 0o755});
 
+// What app/web/pictures.cpp says in place of the native program, which names the file that it lacks.
+const inBrowser = 'needs OpenImageIO, OpenColorIO or another library that etak does not have in a browser; ' +
+  'expected PNG, DDS, KTX2 without Zstandard and built-in spaces, or etak as a program';
+
 /** What the native program answers; its own folder is said to be the root, as that of the module is. */
 export function nativeRun(words, {cwd = bare, stdin = ''} = {}) {
   const got = spawnSync(program, words, {cwd, input: stdin, maxBuffer: 1 << 30, env: {PATH: process.env.PATH}});
-  const [out, err] = [got.stdout, got.stderr].map(bytes => bytes.toString().replaceAll(bare, ''));
+  const [out, err] = [got.stdout, got.stderr].map(bytes => bytes.toString().replaceAll(bare, '')
+    .replaceAll(/needs libetak-pictures\.so; .*? and memory for them/g, inBrowser));
   return {status: got.status, outBytes: Buffer.from(out), out, err};
 }
 
