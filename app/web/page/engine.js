@@ -35,7 +35,11 @@ const engine = {
 
   async open() {
     const begun = performance.now();
-    const bytesOf = id => Uint8Array.from(atob($(id).textContent.trim()), letter => letter.charCodeAt(0));
+    const bytesOf = id => {
+      const text = atob($(id).textContent.trim()), bytes = new Uint8Array(text.length);
+      for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);  // ten times as fast as Uint8Array.from()
+      return bytes;
+    };
     const {instance: {exports: door}} = await WebAssembly.instantiate(bytesOf('unpacker'));
     const packed = bytesOf('module'), size = new DataView(packed.buffer).getUint32(5, true);
     const from = door.room(packed.length), to = door.room(size);
