@@ -214,7 +214,7 @@ Changed changed_since(const std::string& commit, const std::vector<std::string>&
   for (const auto& [folder, names] : named) add_changes(folder, names, commit, out);
   for (Names* const list : {&out.files, &out.folders}) {
     std::ranges::sort(*list);
-    list->erase(std::ranges::unique(*list).begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
   }
   return out;
 }
