@@ -322,10 +322,11 @@ bool PlainInflater::read_match(unsigned symbol, unsigned length) {
       deflate_distances[distance_at].first + take(deflate_distances[distance_at].bits);
   if (distance > end_) return fail("a distance too far back");
   std::uint8_t* const to = window_.data() + end_;
+  const std::uint8_t* const from = to - distance;
   if (distance >= count)
-    std::memcpy(to, to - distance, count);
+    std::memcpy(to, from, count);
   else
-    for (std::size_t i = 0; i < count; ++i) to[i] = to[i - distance];
+    for (std::size_t i = 0; i < count; ++i) to[i] = from[i];
   end_ += count;
   return true;
 }
