@@ -6,7 +6,7 @@
 
 namespace etak {
 
-GlFrames::GlFrames() = default;
+GlFrames::GlFrames(bool waits) : painter_(waits) {}
 GlFrames::~GlFrames() = default;
 
 GlTarget& GlFrames::of_size(std::unique_ptr<GlTarget>& kept, const QSize& size) {

@@ -49,7 +49,8 @@ struct GlFrame {
 class GlFrames {
  public:
   /// Throws Error where the context is older than OpenGL 3.3.
-  GlFrames();
+  ///   waits   as in GlPainter
+  explicit GlFrames(bool waits);
   ~GlFrames();
 
   GlFrame draw(const GlJob& job);

@@ -28,6 +28,7 @@ double ms_of(const QElapsedTimer& timer) {
 }  // namespace
 
 struct GlPainter::State {
+  const bool waits;
   Gl& gl = current_gl();
   GLuint no_vertices = 0;
   std::map<std::string, std::unique_ptr<GlProgram>> programs;  // by the text of their fragment shader
@@ -58,8 +59,18 @@ struct GlPainter::State {
     return out;
   }
 
-  State() { gl.glGenVertexArrays(1, &no_vertices); }
+  explicit State(bool waits_for_end) : waits(waits_for_end) { gl.glGenVertexArrays(1, &no_vertices); }
   ~State() { gl.glDeleteVertexArrays(1, &no_vertices); }
+
+  // Waits for the end of the drawing by short polls, between which this thread sleeps.
+  void wait() const {
+    if (!waits) return;
+    constexpr GLuint64 poll_ns = 1'000'000;
+    const GLsync end = gl.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    while (gl.glClientWaitSync(end, GL_SYNC_FLUSH_COMMANDS_BIT, poll_ns) == GL_TIMEOUT_EXPIRED) {
+    }
+    gl.glDeleteSync(end);
+  }
 
   void take(const std::shared_ptr<const Environment>& wanted) {
     if (wanted == environment) return;
@@ -167,7 +178,7 @@ struct GlPainter::State {
     gl.glDrawArrays(text.ring ? GL_TRIANGLE_STRIP : GL_TRIANGLE_FAN, 0, text.corners);
     if (program.drawn) return 0;
     // Drivers put off part of the compiling until the first drawing.
-    gl.glFinish();
+    wait();
     program.drawn = true;
     program.compile_ms = ms_of(timer);
     return program.compile_ms;
@@ -212,7 +223,7 @@ struct GlPainter::State {
     gl.glDisable(GL_SCISSOR_TEST);
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.glActiveTexture(GL_TEXTURE0);
-    gl.glFinish();
+    wait();
     for (GLenum error = gl.glGetError(); error != GL_NO_ERROR && !out.context_lost; error = gl.glGetError())
       out.context_lost = error == context_lost_error;
     out.frame_ms = ms_of(timer) - compile_ms;
@@ -220,7 +231,7 @@ struct GlPainter::State {
   }
 };
 
-GlPainter::GlPainter() : state_(std::make_unique<State>()) {}
+GlPainter::GlPainter(bool waits) : state_(std::make_unique<State>(waits)) {}
 GlPainter::~GlPainter() = default;
 
 GlPainter::Drawn GlPainter::draw(const std::vector<ViewTile>& tiles,
@@ -240,7 +251,7 @@ double GlPainter::enlarge(const GlTarget& small, const GlTarget& target) {
   gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.handle());
   gl.glBlitFramebuffer(0, 0, small.size().width(), small.size().height(), 0, 0, target.size().width(),
                        target.size().height(), GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  gl.glFinish();
+  state_->wait();
   return ms_of(timer);
 }
 

@@ -20,12 +20,14 @@ struct ViewDisplay;
 class GlPainter {
  public:
   /// Throws Error where the context is older than OpenGL 3.3.
-  GlPainter();
+  ///   waits   for the end of each drawing, so that times are those of the GPU too. The thread of the user interface must
+  ///           not; its times are those of the calls
+  explicit GlPainter(bool waits);
   ~GlPainter();
   GlPainter(const GlPainter&) = delete;
   GlPainter& operator=(const GlPainter&) = delete;
 
-  /// Draws the tiles into `target` and waits for the end of the drawing. Programs are kept by their text, so
+  /// Draws the tiles into `target`. Programs are kept by their text, so
   /// that only a change that switches parts of a shader on or off compiles. Throws Error with the message of
   /// the driver.
   ///   environment, display   their textures are kept as long as they stay the same
@@ -42,7 +44,7 @@ class GlPainter {
   Drawn draw(const std::vector<ViewTile>& tiles, const std::shared_ptr<const Environment>& environment,
              const ViewDisplay& display, const GlTarget& target, const Rows& rows);
 
-  /// Copies `small` to the whole of `target`, waits for it, and returns the milliseconds that it took.
+  /// Copies `small` to the whole of `target`, and returns the milliseconds that it took.
   double enlarge(const GlTarget& small, const GlTarget& target);
 
   /// Draws the tiles and returns them as a picture of `size` pixels. Throws Error as draw() does.

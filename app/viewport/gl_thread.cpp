@@ -45,7 +45,7 @@ GlThread::~GlThread() {
 }
 
 GlFrames& GlThread::frames() {
-  if (!frames_) frames_ = std::make_unique<GlFrames>();
+  if (!frames_) frames_ = std::make_unique<GlFrames>(true);
   return *frames_;
 }
 

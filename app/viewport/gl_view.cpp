@@ -44,6 +44,8 @@ QString why_no_gl() {
 GlView::GlView(QWidget* parent, bool threaded) : QOpenGLWidget(parent), threaded_(threaded) {
   setFormat(wanted_format());
   setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
+  poll_.setInterval(1);
+  connect(&poll_, &QTimer::timeout, this, &GlView::look_for_end);
 }
 
 GlView::~GlView() {
@@ -59,6 +61,8 @@ void GlView::drop() {
   thread_.reset();
   frames_.reset();
   forget_read();
+  poll_.stop();
+  if (end_ != nullptr) current_gl().glDeleteSync(std::exchange(end_, nullptr));
   current_gl().glDeleteFramebuffers(1, &reader_);
   doneCurrent();
   frame_ = {};
@@ -81,7 +85,7 @@ void GlView::initializeGL() {
     gl_name_ = QString::fromStdString(renderer_name(gl));
     gl.glGenFramebuffers(1, &reader_);
     if (threaded_) thread_ = GlThread::beside(*context());
-    if (!thread_) frames_ = std::make_unique<GlFrames>();
+    if (!thread_) frames_ = std::make_unique<GlFrames>(false);
     // Qt makes another context where the window changes; drop() then frees all that belongs to this one.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlView::drop, Qt::UniqueConnection);
   } catch (const Error& error) {
@@ -105,7 +109,7 @@ GlJob GlView::next_job() {
 }
 
 void GlView::begin() {
-  if (frames_ && wants_more()) update();  // without a thread, the frame is drawn in paintGL()
+  if (frames_ && wants_more() && !drawing_) update();  // without a thread, the frame is begun in paintGL()
   if (!thread_ || !wants_more() || drawing_ || picture_size().isEmpty()) return;
   drawing_ = true;
   GlJob job = next_job();
@@ -116,6 +120,32 @@ void GlView::begin() {
     update();
     begin();
   });
+}
+
+void GlView::draw_here() {
+  drawing_ = true;
+  pending_ = frames_->draw(next_job());
+  since_.start();
+  Gl& gl = current_gl();
+  end_ = gl.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.glFlush();
+  poll_.start();
+}
+
+void GlView::look_for_end() {
+  makeCurrent();
+  if (!context()->isValid()) {
+    poll_.stop();
+    return tell_loss();
+  }
+  if (current_gl().glClientWaitSync(end_, 0, 0) == GL_TIMEOUT_EXPIRED) return;
+  poll_.stop();
+  current_gl().glDeleteSync(std::exchange(end_, nullptr));
+  drawing_ = false;
+  pending_.frame_ms += static_cast<double>(since_.nsecsElapsed()) * 1e-6;
+  take(pending_);
+  update();
+  begin();
 }
 
 void GlView::take(const GlFrame& frame) {
@@ -138,7 +168,7 @@ void GlView::tell_loss() {
 void GlView::paintGL() {
   if (!thread_ && !frames_) return;
   if (whole_ != picture_size()) wanted_ = true;
-  if (frames_ && wants_more()) take(frames_->draw(next_job()));
+  if (frames_ && wants_more() && !drawing_) draw_here();
   begin();
   if (!context()->isValid()) return tell_loss();
   QElapsedTimer timer;

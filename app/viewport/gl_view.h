@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <memory>
 
 #include "app/viewport/frame_share.h"
@@ -17,7 +19,8 @@ QString why_no_gl();
 
 /// Shows a state as OpenGL draws it. Where contexts can share, it is drawn in a thread of its own: the last
 /// picture stays on the screen until the next is drawn, so that the user does not wait for a shader to be
-/// compiled. While nothing moves, the frame is refined, band by band.
+/// compiled. Where they cannot, the thread of the user interface tells the GPU what to draw and looks from time to time
+/// whether it is done. While nothing moves, the frame is refined, band by band.
 class GlView : public QOpenGLWidget {
   Q_OBJECT
 
@@ -54,6 +57,8 @@ class GlView : public QOpenGLWidget {
   bool wants_more() const { return wanted_ || band_ >= 0; }
   GlJob next_job();
   void begin();  // begins the next frame, if one is wanted and none is in work
+  void draw_here();
+  void look_for_end();  // of the frame that draw_here() began
   void take(const GlFrame& frame);
   void tell_loss();
   void show_frame();
@@ -70,6 +75,10 @@ class GlView : public QOpenGLWidget {
   int band_ = -1;          // of the refined frame, that is drawn next; -1: none
   unsigned reader_ = 0;
   GlSync read_ = nullptr;  // signalled when the frame was read for the screen last
+  GlFrame pending_;        // what draw_here() began, its fence, and the time since then
+  GlSync end_ = nullptr;
+  QElapsedTimer since_;
+  QTimer poll_;
   QString gl_name_;
   bool hurry_ = false, threaded_, wanted_ = true, drawing_ = false, fresh_ = false, lost_ = false;
   FrameShare shares_;

@@ -355,7 +355,10 @@ class ViewportGl : public QObject {
     QCOMPARE(plain.grab_picture(), viewport->grab_picture());
     QVERIFY(plain.compile_ms() > 0);
     frames.clear();
+    const QImage before = view->grabFramebuffer();
     plain.set_state(state_with(*find_model("ggx-schlick")));
+    QCOMPARE(view->grabFramebuffer(), before);  // begins the frame, and does not wait for it
+    QVERIFY(plain.is_drawing());
     viewport->set_state(state_with(*find_model("ggx-schlick")));
     QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
     QVERIFY(QTest::qWaitFor(both_refined, patience_ms));
