@@ -16,7 +16,7 @@ const [pageFile, etakFile, pictures] = process.argv.slice(2);
 const address = /^https?:/.test(pageFile) ? pageFile : pathToFileURL(resolve(pageFile)).href;
 const source = resolve(fileURLToPath(import.meta.url), '../../..');
 const scratch = mkdtempSync(join(tmpdir(), 'etak-page-'));
-const etak = (...words) => execFileSync(etakFile, words, {cwd: scratch, maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'ignore'], encoding: 'utf8'});
+const etak = (...words) => execFileSync(resolve(etakFile), words, {cwd: scratch, maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'ignore'], encoding: 'utf8'});
 const json = (...words) => JSON.parse(etak(...words, '--format', 'json'));
 const triple = c => [c.r, c.g, c.b].map(v => v.toFixed(4)).join(' ');
 
@@ -242,7 +242,7 @@ async function drops(browser, page) {
     assert.equal(await saved('save-csv', 'f0.csv'), etak('f0', 'glass.csv', '--format', 'csv'));
   });
   await claim('decimal commas are read or refused as the program does', async () => {
-    const native = spawnSync(etakFile, ['f0', 'commas.csv'], {cwd: scratch, encoding: 'utf8'}), words = native.stderr.split('\n')[0].replace('etak: ', '');
+    const native = spawnSync(resolve(etakFile), ['f0', 'commas.csv'], {cwd: scratch, encoding: 'utf8'}), words = native.stderr.split('\n')[0].replace('etak: ', '');
     await answered(`${results}.includes(${JSON.stringify(native.status ? words : 'commas.csv')})`, files.commas);
   });
   await claim('a page of refractiveindex.info is answered', async () => {
@@ -259,7 +259,7 @@ async function drops(browser, page) {
   });
   await claim('textures are checked in the program\'s words', async () => {
     await answered(`${text('work')}.includes('errors')`, files.textures);
-    const report = JSON.parse(spawnSync(etakFile, ['validate', '--format', 'json', 'set'], {cwd: scratch, encoding: 'utf8'}).stdout);
+    const report = JSON.parse(spawnSync(resolve(etakFile), ['validate', '--format', 'json', 'set'], {cwd: scratch, encoding: 'utf8'}).stdout);
     const said = await page.value(results);
     for (const file of report.files) {
       assert.ok(said.includes(file.path), file.path);
@@ -352,12 +352,14 @@ async function poorer(browser) {
       await page.until(`${cardText}.includes('#ffe49c')`);
     } finally { await plain.close(); }
   });
-  for (const [name, script] of [['WebAssembly', 'delete window.WebAssembly'], ['exceptions', 'WebAssembly.validate = () => false']])
+  const without = byte => `const all = WebAssembly.validate; WebAssembly.validate = bytes => !bytes.includes(${byte}) && all(bytes);`;
+  for (const [name, script] of [['WebAssembly', 'delete window.WebAssembly'], ['exceptions', without(25)], ['128-bit vectors', without(253)]])
     await claim(`a browser without ${name} is told in one line`, async () => {
       const page = await browser.page('about:blank');
       await page.call('Page.addScriptToEvaluateOnNewDocument', {source: script});
       await page.call('Page.navigate', {url: address});
-      await page.until(`document.getElementById('problem')?.textContent.includes('This browser')`);
+      await page.until(`document.getElementById('problem')?.textContent.includes('This browser has')`);
+      assert.match(await page.value(text('problem')), new RegExp(`has (no|WebAssembly without) ${name},`));
       await page.close();
     });
   await claim('a program that stops is started anew, and the page says so', async () => {
@@ -369,34 +371,96 @@ async function poorer(browser) {
   });
 }
 
-/** <etak-material> in a page of somebody else's, which serves it with etak.mjs and etak.wasm. */
-async function element(browser) {
+const elements = script => `<!doctype html><meta charset="utf-8"><meta name="viewport" content="width=device-width"><style>:root { color-scheme: light dark; font: 16px/1.4 "DejaVu Sans", sans-serif; }
+  #large etak-material::part(swatch) { width: 200px; }</style>${script}<p>Of gold: <etak-material id="gold">a text for readers without scripts</etak-material></p>
+  <p><etak-material id="gold/johnson-1972" illuminant="A"></etak-material></p><p><etak-material id="&lt;img src=x&gt;"></etak-material></p>
+  <p><etak-material id="titanium" film="anatase:120nm" coat="pmma"></etak-material></p><p><etak-material id="water"></etak-material></p>
+  <div id="large"><etak-material id="apple" gloss="0.9"></etak-material></div>`;
+const inside = (at, what) => `document.querySelectorAll('etak-material')[${at}].shadowRoot?.${what}`;
+const elementWords = [[0, ['gold']], [1, ['gold/johnson-1972', '--illuminant', 'A']], [3, ['pmma:1mm/anatase:120nm/titanium']], [4, ['water']], [5, ['apple']]];
+
+/** What elements of a page say, and whether the others have a ball. */
+async function elementsSay(page, drawn = true) {
+  for (const [at, words] of elementWords) {
+    const row = json('f0', ...words).results[0], what = row.class === 'surface' ? 'diffuse' : 'F0';
+    await page.until(`${inside(at, 'textContent')}?.includes('${what} ${triple(row.linear)}, ${row.hex}')`);
+    assert.equal(await page.value(inside(at, "querySelector('[role=img]').getAttribute('aria-label')")), `Ball of ${row.name}, ${what} ${row.hex}`);
+    if (drawn) await page.until(inside(at, "querySelector('canvas').classList.contains('drawn')"));
+  }
+  await page.until(`${inside(2, 'textContent')} === '<img src=x>: no material, file or folder has this name; expected a name that etak list shows'`);
+  assert.equal(await page.value(inside(2, "querySelectorAll('img').length")), 0);
+}
+
+/** <etak-material> in pages of somebody else's: one that serves it with etak.mjs and etak.wasm, one from a disk, one without WebGL. */
+async function element(browser, own) {
   const folder = /^https?:/.test(pageFile) ? '' : resolve(pageFile, '..');
   if (!existsSync(join(folder, 'etak.wasm'))) { console.log('skip  <etak-material>: there is no etak.wasm beside the page'); return; }
-  const foreign = `<!doctype html><script type="module" src="element.js"></script><etak-material id="gold"></etak-material>
-    <etak-material id="gold/johnson-1972" illuminant="A"></etak-material><etak-material id="&lt;img src=x&gt;"></etak-material>`;
   const kinds = {'.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm'};
   const server = createServer((request, answer) => {
-    const name = request.url.slice(1), place = name === 'element.js' ? join(source, 'app/web/page', name) : join(folder, name);
+    const name = request.url.slice(1);
     answer.setHeader('Content-Type', kinds[extname(name)] ?? 'text/html');
-    answer.end(['element.js', 'etak.mjs', 'etak.wasm'].includes(name) ? readFileSync(place) : foreign);
+    answer.setHeader('Access-Control-Allow-Origin', '*');
+    answer.end(kinds[extname(name)] ? readFileSync(join(folder, name))
+      : elements(`<script type="module" src="${name === 'strange' ? `http://localhost:${server.address().port}/` : ''}element.js"></script>`));
   });
   await new Promise(done => server.listen(0, '127.0.0.1', done));
   try {
-    await claim('an element shows a material in another page', async () => {
-      const page = await browser.page(`http://127.0.0.1:${server.address().port}/`);
-      const said = at => `document.querySelectorAll('etak-material')[${at}].shadowRoot?.textContent`;
-      for (const [at, words] of [[0, ['gold']], [1, ['gold/johnson-1972', '--illuminant', 'A']]]) {
-        const row = json('f0', ...words).results[0];
-        await page.until(`${said(at)}?.includes('F0 ${triple(row.linear)}, ${row.hex}')`);
+    const page = await browser.page('about:blank'), here = `http://127.0.0.1:${server.address().port}/`;
+    await page.call('Page.addScriptToEvaluateOnNewDocument', {source: `window.contexts = 0; const get = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function(kind, ...how) { window.contexts += kind === 'webgl2'; return get.call(this, kind, ...how); };`});
+    await page.call('Page.navigate', {url: here});
+    await claim('elements show materials as balls in another page, by one context of WebGL', async () => {
+      await elementsSay(page);
+      assert.equal(await page.value('window.contexts'), 1);
+      assert.ok(page.requests.every(url => url.startsWith(here) || url === 'about:blank'), page.requests.join(' '));
+    });
+    await claim('the ball of an element is that of the page', async () => {
+      const picture = await own.value(`(async () => {
+        const canvas = document.createElement('canvas');
+        balls.show(await engine.json(ballWords('gold', 'ggx-f82', 64)), canvas, 64);
+        return canvas.toDataURL();
+      })()`);
+      await page.until(`${inside(0, "querySelector('canvas').toDataURL()")} === ${JSON.stringify(picture)}`);
+    });
+    await claim('attributes of an element change its ball and its numbers', async () => {
+      const picture = inside(0, "querySelector('canvas').toDataURL()");
+      for (const [name, value] of [['roughness', '0.7'], ['model', 'phong-schlick'], ['outside', 'water']]) {
+        const before = await page.value(picture);
+        await page.value(`document.querySelector('etak-material').setAttribute('${name}', '${value}')`);
+        await page.until(`${inside(0, "querySelector('canvas.drawn')")} && ${picture} !== ${JSON.stringify(before)}`);
       }
-      await page.until(`${said(2)}?.includes('<img src=x>: ')`);
-      assert.equal(await page.value("document.querySelectorAll('etak-material')[2].shadowRoot.querySelectorAll('img').length"), 0);
-      await page.close();
+      await page.until(`${inside(0, 'textContent')}.includes('${json('f0', 'gold', '--outside', 'water').results[0].hex}')`);
+    });
+    await page.close();
+    await claim('an element can come from another server', async () => {
+      const strange = await browser.page(`${here}strange`);
+      await elementsSay(strange);
+      await strange.close();
     });
   } finally {
     server.close();
   }
+  const file = join(scratch, 'elements.html'), onDisk = pathToFileURL(file).href, script = pathToFileURL(join(folder, 'etak-element.js')).href;
+  writeFileSync(file, elements(`<script src="${script}"></script>`));
+  await claim('elements show balls in a page from a disk, which asks for nothing but their script', async () => {
+    for (const [width, dark] of pictures ? [[1280, false], [1280, true], [360, false]] : [[1280, false]]) {
+      const page = await browser.page(onDisk, {width, dark});
+      await elementsSay(page);
+      assert.deepEqual(page.requests.filter(url => !url.startsWith('blob:')), [onDisk, script]);
+      assert.ok(await page.value('document.documentElement.scrollWidth') <= width);
+      if (pictures) { mkdirSync(pictures, {recursive: true}); await page.picture(join(pictures, `elements-${width}${dark ? '-dark' : ''}.png`)); }
+      await page.close();
+    }
+  });
+  await claim('without WebGL 2 elements are discs of their colours', async () => {
+    const plain = await Browser.open({webgl: false});
+    try {
+      const page = await plain.page(onDisk);
+      await elementsSay(page, false);
+      assert.equal(await page.value(`getComputedStyle(${inside(0, "querySelector('i')")}).backgroundColor`), 'rgb(255, 228, 156)');
+      assert.equal(await page.value(`getComputedStyle(${inside(0, "querySelector('i')")}).visibility`), 'visible');
+    } finally { await plain.close(); }
+  });
 }
 
 async function takePictures(browser) {
@@ -423,7 +487,7 @@ try {
   await drops(browser, page);
   await silence(page);
   await poorer(browser);
-  await element(browser);
+  await element(browser, page);
   if (pictures) await claim('no picture of the page is wider than its window', () => takePictures(browser));
 } finally {
   await browser.close();

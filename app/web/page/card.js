@@ -116,7 +116,7 @@ const card = {
   async redraw() {
     const entry = library.get(state.id), canvas = this.ball;
     if (!entry || !canvas || !balls.gl || !balls.lit) return;
-    const size = balls.sizeOf(canvas.parentElement.clientWidth || 280);
+    const size = ballSize(canvas.parentElement.clientWidth || 280);
     const words = [...shaderWords(subjectOf(entry.id, state.dataset), modelOf(entry), size), '--orbit', '30', '--tilt', '10'];
     try {
       const shader = await balls.shader(words);

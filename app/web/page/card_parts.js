@@ -5,7 +5,7 @@
 const soon = () => el('p', {class: 'soft'}, '...');
 
 async function curveParts(entry, subject, words) {
-  const others = conducts(entry) || isLayered() ? ['schlick', 'f82'] : ['schlick', 'from-f0'];
+  const others = conducts(entry.class) || isLayered() ? ['schlick', 'f82'] : ['schlick', 'from-f0'];
   const names = {schlick: 'Schlick from F0', f82: 'F82', 'from-f0': 'exact from F0'};
   const out = [];
   try {
@@ -65,8 +65,8 @@ async function compareParts(entry, subject, words) {
   const mine = await engine.json(['f0', subject, '-q', ...words]);
   const sides = [[entry, mine.results[0]], [other, plain.results[0]]].map(([each, row]) => {
     const canvas = el('canvas', {width: 0, height: 0, 'aria-hidden': 'true'});
-    if (balls.gl && balls.lit) balls.shader(shaderWords(each === other ? other.id : subject, modelOf(each), balls.sizeOf(130)))
-      .then(shader => balls.show(shader, canvas, balls.sizeOf(130))).catch(() => {});
+    if (balls.gl && balls.lit) balls.shader(shaderWords(each === other ? other.id : subject, modelOf(each), ballSize(130)))
+      .then(shader => balls.show(shader, canvas, ballSize(130))).catch(() => {});
     return el('figure', {}, el('span', {class: 'ball'}, swatch(row.hex, 'disc'), canvas),
       el('figcaption', {}, el('b', {}, each === entry && isLayered() ? `${each.name} with its layers` : each.name), el('br'), row.hex, el('br'), triple(row.linear)));
   });

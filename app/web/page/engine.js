@@ -1,117 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 'use strict';
-// The program `etak` in a worker: engine.run(words, {files, stdin, collect}) promises {status, out, outBytes, err, files, ms}.
-
-// In the worker, behind the text of etak.mjs. A run answers in its turn, and the page never waits for one.
-const workerText = `
-let etak;
-onmessage = async ({data}) => {
-  try {
-    if (data.module) {
-      etak = await start(data.module);
-      postMessage({ready: true});
-    } else {
-      const begun = performance.now();
-      const answer = await etak.run(data.words, data.options);
-      postMessage({id: data.id, answer: {...answer, ms: performance.now() - begun}});
-    }
-  } catch (error) {
-    postMessage({id: data.id, fault: String(error && error.message || error)});
-  }
-};`;
+// The program of the page: engine.run(words, {files, stdin, collect}) promises {status, out, outBytes, err, files, ms}.
 
 const engine = {
-  worker: null, module: null, waiting: new Map(), next: 0, times: {},
+  program: null, module: null, times: {},
 
   /** What this browser lacks, as a sentence; empty where it has everything. */
   lacks() {
     if (typeof WebAssembly !== 'object') return 'This browser has no WebAssembly, which etak runs in.';
-    // A function with a try block, which browsers before 2022 do not know.
-    const tried = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 8, 1, 6, 0, 6, 64, 25, 11, 11];
-    if (!WebAssembly.validate(new Uint8Array(tried)))
-      return 'This browser has WebAssembly without exceptions, which etak needs: Chrome 95, Firefox 100, Safari 15.2 and later have them.';
-    return '';
+    // A function with a try block, and one that drops a vector of 128 bits.
+    const [tried, vector] = [[6, 64, 25, 11], [65, 0, 253, 15, 26]].map(body =>
+      WebAssembly.validate(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, body.length + 4, 1, body.length + 2, 0, ...body, 11])));
+    const lack = [!tried && 'exceptions', !vector && '128-bit vectors'].filter(Boolean).join(' and ');
+    return lack && `This browser has WebAssembly without ${lack}, which etak needs: Chrome 95, Firefox 100, Safari 16.4 and later have both.`;
   },
 
-  async open() {
-    const begun = performance.now();
-    const bytesOf = id => {
-      const text = atob($(id).textContent.trim()), bytes = new Uint8Array(text.length);
-      for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);  // ten times as fast as Uint8Array.from()
-      return bytes;
-    };
-    const {instance: {exports: door}} = await WebAssembly.instantiate(bytesOf('unpacker'));
-    const packed = bytesOf('module'), size = new DataView(packed.buffer).getUint32(5, true);
-    const from = door.room(packed.length), to = door.room(size);
-    new Uint8Array(door.memory.buffer).set(packed, from);
-    door.unpack(from, to, size);
+  open() {
+    const [packed, unpacker] = ['module', 'unpacker'].map(id => $(id).textContent);
     $('module').textContent = '';
-    this.times.unpack = performance.now() - begun;
-    // Compiled once for all workers.
-    this.module = await WebAssembly.compile(new Uint8Array(door.memory.buffer, to, size));
-    await (this.opened = this.begin());
-    this.times.start = performance.now() - begun - this.times.unpack;
+    return this.opened = this.begin({packed, unpacker});
   },
 
-  /** A worker with the program in it; `take` gets its answers, `ended` is called where it stops by itself. */
-  spawn(take, ended) {
-    const text = $('loader').textContent.replace(/^export (?=async |function |const |class )/gm, '');
-    const url = URL.createObjectURL(new Blob([text, workerText], {type: 'text/javascript'}));
-    const worker = new Worker(url);
-    return new Promise((done, failed) => {
-      worker.onmessage = ({data}) => {
-        if (data.ready) { URL.revokeObjectURL(url); done(worker); }
-        else if (data.id === undefined) failed(new Error(data.fault));
-        else take(data);
-      };
-      worker.onerror = event => {
-        event.preventDefault();
-        failed(new Error(event.message || 'the worker could not be started'));
-        ended(event.message || 'it stopped');
-      };
-      worker.postMessage({module: this.module});
-    });
-  },
-
-  async begin() {
-    this.worker = await this.spawn(data => this.answer(data), why => this.restart(why));
-  },
-
-  /** A long run beside the others, in a worker of its own. */
-  async aside(words, options) {
-    let taken;
-    const answer = new Promise(done => { taken = done; });
-    const nothing = {status: 134, out: '', err: '', files: {}};
-    const worker = await this.spawn(data => taken(data.answer ?? nothing), () => taken(nothing));
-    worker.postMessage({id: 0, words, options});
-    const out = await answer;
-    worker.terminate();
-    return out;
-  },
-
-  answer({id, answer, fault}) {
-    const done = this.waiting.get(id);
-    this.waiting.delete(id);
-    if (answer?.status === 134) complain(`The program was started anew. ${messages(answer.err).join(' ')}`);
-    done?.(answer ?? {status: 134, out: '', err: `etak: ${fault}\n`, files: {}, ms: 0});
+  async begin(source) {
+    this.program = new Program(() => workerOf($('worker').textContent), source, why => this.restart(why));
+    const {module, times} = await this.program.ready;
+    this.module ??= module;
+    this.times = {...times, ...this.times};
   },
 
   /** Ends what is running, such as an answer that nobody waits for any more, and starts the program anew. */
   restart(why) {
-    this.worker?.terminate();
-    for (const done of this.waiting.values()) done({status: 134, out: '', err: `etak: ${why}\n`, files: {}, ms: 0});
-    this.waiting.clear();
-    this.opened = this.begin().catch(error => complain(`The program cannot be started: ${error.message}`));
+    this.program.end(why);
+    this.opened = this.begin(this.module).catch(error => complain(`The program cannot be started: ${error.message}`));
     return this.opened;
   },
 
-  run(words, options = {}) {
-    return new Promise(done => {
-      this.waiting.set(++this.next, done);
-      const id = this.next;
-      this.opened.then(() => this.worker.postMessage({id, words, options}));
-    });
+  async run(words, options) {
+    await this.opened;
+    const program = this.program, answer = await program.run(words, options);
+    if (answer.status === 134 && program === this.program) complain(`The program was started anew. ${messages(answer.err).join(' ')}`);
+    return answer;
   },
+
+  aside: (words, options) => engine.program.aside(words, options),
 
   /** F0 of many materials, without what JSON has beyond the columns of CSV, in a sixth of the time: {path, hex, Y}. */
   async rows(inputs, words) {

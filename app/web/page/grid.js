@@ -136,7 +136,7 @@ const grid = {
       const cell = this.cells.get(id);
       if (token !== this.token || !balls.gl) return;
       if (!this.inSight.has(cell) || cell.key || !cell.entry.row?.hex) continue;
-      const size = balls.sizeOf(cell.item.firstChild.clientWidth || 112);
+      const size = ballSize(cell.item.firstChild.clientWidth || 112);
       try {
         const shader = await balls.shader(shaderWords(subjectOf(id), modelOf(cell.entry), size));
         if (token !== this.token || !balls.gl) return;

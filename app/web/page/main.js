@@ -174,8 +174,8 @@ async function begin() {
     return;
   }
   await engine.open();
-  balls.open();
-  const light = balls.light(true).catch(error => complain(`No light for the balls: ${error.message}`));
+  balls.begin();
+  const light = balls.light(engine, true).catch(error => complain(`No light for the balls: ${error.message}`));
   const begun = performance.now();
   const [list, models, version] = await Promise.all([engine.json(['list', '-q']), engine.json(['models', '-q']), engine.run(['--version'])]);
   engine.times.rows = performance.now() - begun;
@@ -195,7 +195,7 @@ async function begin() {
   card.redraw();
   await shown;
   document.documentElement.dataset.ready = 'rows';
-  await balls.light(false).catch(() => {});  // the coarse light stays
+  await balls.light(engine, false).catch(() => {});  // the coarse light stays
   grid.redraw();
   card.frame();
   document.documentElement.dataset.ready = 'all';

@@ -96,14 +96,7 @@ function subjectOf(id, dataset = '') {
 }
 const isLayered = () => Boolean(state.film || state.coat);
 
-const conducts = entry => ['metal', 'alloy', 'semiconductor', 'conductor'].includes(entry?.class);
-/** The shading model of a ball: the one chosen, or the form of F that is nearest to the truth for its kind. */
-const modelOf = entry => state.model || (conducts(entry) ? 'ggx-f82' : 'ggx-from-f0');
+const modelOf = entry => state.model || nearestModel(entry?.class);
 
 const roughnessWords = () => state.roughness === '' ? [] : ['--roughness', state.roughness];
-
-// The studio of the balls. In its own dark floor the lower half of a metal is nearly black: a ground of half albedo is under it.
-const studioWords = ['--es', '--env', 'studio', '--ground', '0.5,0.5,0.5', '--tone', 'neutral', '--exposure', '0.7', '--background', '0,0,0'];
-function shaderWords(subject, model, size) {
-  return ['shader', subject, '--model', model, ...studioWords, '--size', String(size), ...roughnessWords(), ...computeWords()];
-}
+const shaderWords = (subject, model, size) => ballWords(subject, model, size, ...roughnessWords(), ...computeWords());
