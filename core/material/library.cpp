@@ -46,8 +46,9 @@ std::vector<std::string> json_files(const std::string& folder, std::vector<std::
     else if (skipped != nullptr)
       skipped->push_back(entry.path);
   });
-  if (unread && unread->path == sys::path_text(folder))
-    throw Error::at(folder, "cannot be opened: " + reason_of(unread->why), "a folder of material files");
+  if (unread)
+    throw Error::at(unread->path, "cannot be opened: " + reason_of(unread->why),
+                    "a folder of material files");
   if (files.empty()) throw Error::at(folder, "no *.json", "material files");
   std::sort(files.begin(), files.end());
   return files;

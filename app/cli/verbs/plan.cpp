@@ -100,9 +100,11 @@ std::vector<std::string> folders_of(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     if (!is_folder(path)) continue;
     out.insert(path);
-    (void)walk_folder(path, true, [&](const FolderEntry& entry) {
+    const auto unread = walk_folder(path, true, [&](const FolderEntry& entry) {
       if (entry.kind == sys::FileInfo::Kind::folder) out.insert(entry.path);
     });
+    if (unread)
+      throw Error::at(unread->path, "cannot be opened: " + reason_of(unread->why), "a readable folder");
   }
   return {out.begin(), out.end()};
 }
