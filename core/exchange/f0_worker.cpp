@@ -201,17 +201,18 @@ void F0Worker::answer_dataset(const Material& material, const MaterialInput& inp
   const Dataset& dataset = dataset_named(material, input.dataset, input.path);
   row.alias_note = input.alias_note;
   set_record(row, material, dataset);
-  row.doubt = doubt(material, dataset);
   if (job.with_source) row.clear = clear_body(material, dataset, job.solver.options().space);
   const auto average =
       job.axis_average ? average_over_axes(job.solver, material, dataset) : std::optional<AxisAverage>();
   if (!average) {
     finish(dataset.optics, etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr), job,
            row);
+    if (row.result.flags.has(Flag::doubtful)) row.doubt = doubt(material, dataset);
     if (job.bands) set_band(row, job.solver, material, dataset);
     return;
   }
   if (!average->datasets.empty() && !average->result.refused()) row.dataset = average->datasets;
+  row.doubt = doubt(material, dataset);
   if (row.doubt.empty()) row.doubt = average->doubt;
   row.result = average->result;
   row.band_reason = "a mean over the axes of a crystal";

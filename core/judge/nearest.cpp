@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -56,14 +57,21 @@ std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
   for (std::size_t i = 0; i < library.ids().size(); ++i) {
     const Material material = library.at(i);
     if (!gives_f0(material.material_class)) continue;
+    std::map<const Dataset*, F0Result> solved;
+    const auto f0_of = [&](const Dataset& dataset) {
+      auto found = solved.find(&dataset);
+      if (found == solved.end()) found = solved.emplace(&dataset, usual_solver().solve(dataset.optics)).first;
+      return found->second;
+    };
+    const std::vector<std::string> reasons = doubts(material, f0_of);
     for (std::size_t d = 0; d < material.datasets.size(); ++d) {
-      const Dataset& dataset = material.datasets[d];
-      const F0Result f0 = solve(usual_solver(), material, dataset);
       // A doubtful dataset excuses no texture, unless it is the preferred one, because there is none better.
-      if (f0.refused() || (f0.flags.has(Flag::doubtful) && d != material.preferred)) continue;
+      if (!reasons[d].empty() && d != material.preferred) continue;
+      const Dataset& dataset = material.datasets[d];
+      const F0Result f0 = f0_of(dataset);
+      if (f0.refused()) continue;
       KnownF0& entry = known.emplace_back(known_f0(material, dataset, f0));
-      if (entry.common && entry.preferred)
-        entry.band = material_band(usual_solver(), material, dataset, f0).band;
+      if (entry.common && entry.preferred) entry.band = material_band(f0_of, material, dataset, f0).band;
     }
   }
   return known;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -13,21 +14,31 @@
 namespace etak {
 namespace {
 
-// Datasets of one material are compared under these options, whatever options the caller has: a dataset does
-// not become doubtful under water.
-const F0Solver& reference_solver() {
-  static const F0Solver solver{F0Options{}};
-  return solver;
+std::optional<double> luminance_in(const F0Result& result) {
+  if (result.refused()) return std::nullopt;
+  return result.luminance;
 }
+
+// Luminance of F0; nothing where the data have none. Datasets of one material are compared under these options,
+// whatever options the caller has: a dataset does not become doubtful under water.
+std::optional<double> luminance_of(const Dataset& dataset) {
+  static const F0Solver solver{[] {
+    F0Options options;
+    options.f82 = false;  // the luminance alone is looked at
+    return options;
+  }()};
+  return luminance_in(solver.solve(dataset.optics));
+}
+
+using LuminanceOf = std::function<std::optional<double>(const Dataset&)>;
 
 bool is_witness(const Dataset& other, const Dataset& dataset) {
   return other.id != dataset.id && other.axis == dataset.axis && other.doubtful.empty() &&
          other.origin != Origin::computed;
 }
 
-}  // namespace
-
-std::optional<double> median_of_others(const Material& material, const Dataset& dataset) {
+std::optional<double> median_by(const LuminanceOf& luminance_of_one, const Material& material,
+                                const Dataset& dataset) {
   if (!gives_f0(material.material_class)) return std::nullopt;
   // Most materials have one or two datasets: for these nothing needs to be solved.
   if (std::count_if(material.datasets.begin(), material.datasets.end(),
@@ -36,8 +47,7 @@ std::optional<double> median_of_others(const Material& material, const Dataset& 
   std::vector<double> luminance;
   for (const Dataset& other : material.datasets) {
     if (!is_witness(other, dataset)) continue;
-    const F0Result result = reference_solver().solve(other.optics);
-    if (!result.refused()) luminance.push_back(result.luminance);
+    if (const auto found = luminance_of_one(other)) luminance.push_back(*found);
   }
   if (luminance.size() < 2) return std::nullopt;
   std::sort(luminance.begin(), luminance.end());
@@ -45,16 +55,33 @@ std::optional<double> median_of_others(const Material& material, const Dataset& 
   return luminance.size() % 2 == 1 ? luminance[middle] : (luminance[middle - 1] + luminance[middle]) / 2;
 }
 
-std::string doubt(const Material& material, const Dataset& dataset) {
+std::string doubt_by(const LuminanceOf& luminance_of_one, const Material& material, const Dataset& dataset) {
   if (!dataset.doubtful.empty()) return dataset.doubtful;
-  const auto median = median_of_others(material, dataset);
-  if (!median) return {};
-  const F0Result own = reference_solver().solve(dataset.optics);
-  if (own.refused()) return {};
-  const double off = own.luminance - *median;
+  const auto median = median_by(luminance_of_one, material, dataset);
+  const auto own = median ? luminance_of_one(dataset) : std::nullopt;
+  if (!own) return {};
+  const double off = *own - *median;
   if (std::abs(off) <= doubtful_distance) return {};
-  return "F0 luminance " + number(own.luminance, 3) + " is " + number(std::abs(off), 3) +
+  return "F0 luminance " + number(*own, 3) + " is " + number(std::abs(off), 3) +
          (off < 0 ? " below" : " above") + " the median of the other datasets, " + number(*median, 3);
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const Material& material,
+                                const std::function<F0Result(const Dataset&)>& reference_f0) {
+  const LuminanceOf luminance = [&](const Dataset& dataset) { return luminance_in(reference_f0(dataset)); };
+  std::vector<std::string> out;
+  for (const Dataset& dataset : material.datasets) out.push_back(doubt_by(luminance, material, dataset));
+  return out;
+}
+
+std::optional<double> median_of_others(const Material& material, const Dataset& dataset) {
+  return median_by(luminance_of, material, dataset);
+}
+
+std::string doubt(const Material& material, const Dataset& dataset) {
+  return doubt_by(luminance_of, material, dataset);
 }
 
 Flags quality_flags(const Material& material, const Dataset& dataset) {

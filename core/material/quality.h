@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/material/f0.h"
 #include "core/material/material.h"
@@ -21,6 +23,11 @@ std::optional<double> median_of_others(const Material& material, const Dataset& 
 /// Why the dataset is doubtful: the reason in its file, else "F0 luminance 0.406 is 0.166 below the median of
 /// the other datasets, 0.572". Empty: it is not.
 std::string doubt(const Material& material, const Dataset& dataset);
+
+/// The same for each dataset of the material.
+///   reference_f0   F0 of one, by F0Solver{F0Options{}}: it is asked again and again, so that the caller keeps the answers
+std::vector<std::string> doubts(const Material& material,
+                                const std::function<F0Result(const Dataset&)>& reference_f0);
 
 /// Flag::computed, Flag::sparse and Flag::doubtful, as far as they hold.
 ///   dataset   of `material`
