@@ -28,7 +28,7 @@ bool has_lists_of_gltf(std::string_view head) {
 bool is_row(std::string_view line, std::vector<std::string_view>& fields) {
   split_fields(line, find_separator(line), fields);
   double value = 0;
-  return fields.size() >= 2 && parse_number(fields[0], value) && parse_number(fields[1], value);
+  return fields.size() >= 2 && parse_cell(fields[0], value) && parse_cell(fields[1], value);
 }
 
 // A header names wavelength or energy and another column, and few other words: prose may also hold the words

@@ -97,7 +97,7 @@ class TableReader {
   bool is_data(std::string_view line) {
     double value = 0;
     split_fields(line, find_separator(line), fields_);
-    return !fields_.empty() && parse_number(fields_[0], value);
+    return !fields_.empty() && parse_cell(fields_[0], value);
   }
 
   void read_line(std::string_view line) {
@@ -205,13 +205,21 @@ class TableReader {
       const Column& column = block.columns[i];
       if (column.quantity == Quantity::skipped) continue;
       double value = 0;
-      if (!parse_number(fields_[i], value)) {
-        const bool comma = fields_[i].find(',') != std::string_view::npos;
-        fail(line_, in_quotes(fields_[i]), comma ? "a number with a decimal point" : "a finite number");
-      }
+      if (!parse_cell(fields_[i], value)) fail(line_, in_quotes(fields_[i]), "a finite number");
+      check_decimal_sign(fields_[i]);
       take(block, column, value, row);
     }
     block.rows.push_back(row);
+  }
+
+  // A comma beside numbers with a point would separate thousands.
+  void check_decimal_sign(std::string_view field) {
+    const std::size_t at = field.find_first_of(".,");
+    if (at == field.npos) return;
+    if (decimal_sign_ == 0) decimal_sign_ = field[at];
+    if (decimal_sign_ != field[at])
+      fail(line_, in_quotes(field),
+           std::string("a number with '") + decimal_sign_ + "' as those above, or without decimals");
   }
 
   void take(const Block& block, const Column& column, double value, TableRow& row) {
@@ -256,6 +264,7 @@ class TableReader {
   const TableOptions& options_;
   std::size_t others_;
   std::size_t line_ = 0, next_ = 0;
+  char decimal_sign_ = 0;  // of the first number with decimals
   std::vector<Block> blocks_;
   std::vector<std::string_view> fields_;
   Flags flags_;

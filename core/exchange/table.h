@@ -49,8 +49,8 @@ struct Table {
   Flags flags;
 };
 
-/// Reads a user's table: comma, semicolon, tab or blanks between columns (found from the first data line),
-/// '#' comments, optional header. Column names: wavelength | wavelength_nm | wl | lambda | energy ..., n, k,
+/// Reads a user's table: comma, semicolon, tab or blanks between columns (found from the first data line), a decimal
+/// point or, where no comma separates columns, a decimal comma, '#' comments, optional header. Column names: wavelength | wavelength_nm | wl | lambda | energy ..., n, k,
 /// R | reflectance (optionally with "%": then divided by 100). Throws Error with file and line for a missing
 /// unit, unknown or missing columns, NaN, n <= 0, k < 0, R outside [-0.02, 1.02], equal wavelengths (both
 /// rows named), no row inside 300..900 nm (with a hint which unit would fit).

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/base/text/ascii.h"
 
 namespace etak {
@@ -139,9 +140,32 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
   }
 }
 
+bool parse_cell(std::string_view field, double& value) {
+  const std::size_t comma = field.find(',');
+  if (comma == field.npos) return parse_number(field, value);
+  if (field.find('.') != field.npos) return false;
+  std::string pointed(field);
+  pointed[comma] = '.';
+  return parse_number(pointed, value);
+}
+
+namespace {
+
+// Whether commas are decimal points: blanks or tabs separate numbers, and no number has a point.
+bool has_decimal_commas(std::string_view line) {
+  if (line.find('.') != line.npos) return false;
+  std::vector<std::string_view> fields;
+  split_fields(line, ' ', fields);
+  double value = 0;
+  return fields.size() > 1 && std::all_of(fields.begin(), fields.end(),
+                                          [&](std::string_view field) { return parse_cell(field, value); });
+}
+
+}  // namespace
+
 char find_separator(std::string_view line) {
   for (const char c : {';', ',', '\t'}) {
-    if (line.find(c) == line.npos) continue;
+    if (line.find(c) == line.npos || (c == ',' && has_decimal_commas(line))) continue;
     // Columns that are separated by both tabs and blanks.
     if (c == '\t' && trimmed(line).find(' ') != line.npos) return ' ';
     return c;

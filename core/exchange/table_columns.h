@@ -29,8 +29,11 @@ bool parse_column(std::string_view name, Column& column, std::string& problem);
 /// field and quotes are taken off; an empty last field of a line that ends in a separator is left out.
 void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields);
 
-/// The separator that a line of numbers uses.
+/// The separator that a line of numbers uses. Commas are decimal ones where blanks or tabs separate numbers.
 char find_separator(std::string_view line);
+
+/// A number of a table, with a decimal point or a decimal comma. False for what is none.
+bool parse_cell(std::string_view field, double& value);
 
 /// The names in a header line over columns separated by `separator`. Where blanks separate, "wavelength
 /// (nm)", "wavelength / nm" and "photon energy" are still one name each.

@@ -199,8 +199,32 @@ TEST_CASE("a bad number is refused with its line") {
   CHECK(contains(row("-500,1,0"), "t.csv:3: wavelength -500"));
   CHECK(contains(row("0,1,0"), "t.csv:3: wavelength 0"));
   CHECK(contains(row("\"500\"x,1,0"), "t.csv:3: 4 columns"));
-  CHECK(contains(table_refusal("wavelength_nm;n\n400;1,5\n"),
-                 "t.csv:2: \"1,5\"; expected a number with a decimal point"));
+}
+
+TEST_CASE("decimal commas are read where no comma separates columns") {
+  const Table points = parse_rows("wavelength_nm,n,k\n400,1.5,0\n500.5,1.25,0.1\n");
+  const auto same = [&](const std::string& text) {
+    const Table table = parse_rows(text);
+    const auto& a = std::get<OpticalConstants>(points.optics);
+    const auto& b = std::get<OpticalConstants>(table.optics);
+    CHECK(std::get<Spectrum>(a.n).value == std::get<Spectrum>(b.n).value);
+    CHECK(std::get<Spectrum>(a.n).wavelength_nm == std::get<Spectrum>(b.n).wavelength_nm);
+    CHECK(a.k->value == b.k->value);
+  };
+  for (const std::string separator : {";", "\t", " ", " \t", "; "}) {
+    const auto row = [&](const char* nm, const char* n, const char* k) {
+      return nm + separator + n + separator + k + "\n";
+    };
+    same(row("wavelength_nm", "n", "k") + row("400", "1,5", "0") + row("500,5", "1,25", "0,1"));
+  }
+  same("wavelength_nm,n,k\n\"400\",\"1,5\",0\n\"500,5\",\"1,25\",\"0,1\"\n");
+  // Commas beside points separate thousands, or columns.
+  CHECK(contains(table_refusal("wl_nm;n\n400;1.5\n1,000;1.4\n"),
+                 "t.csv:3: \"1,000\"; expected a number with '.' as those above, or without decimals"));
+  CHECK(contains(table_refusal("wl_nm;n\n400;1,5\n500;1.4\n"), "t.csv:3: \"1.4\""));
+  CHECK(contains(table_refusal("wl_nm;n\n400;1.000,5\n"), "t.csv:2: \"1.000,5\"; expected a finite number"));
+  CHECK(contains(table_refusal("wl_nm;n\n400;1,0,5\n"), "t.csv:2: \"1,0,5\"; expected a finite number"));
+  same("wavelength_nm,n,k\n400 ,1.5, 0\n500.5, 1.25 ,0.1\n");
 }
 
 TEST_CASE("a header that cannot be meant is refused") {
