@@ -4,7 +4,7 @@
 // etak-start-page DEMO: writes DEMO/index.html, the first page of `./dev demo`, and DEMO/sources.html where figures/ of
 // these is there. DEMO holds scene/ as
 // etak-demo-scene makes it, with mistakes/, and atlas/ as etak pack makes it; other pages of the demo that are there
-// get cards. Not installed.
+// get cards, and where etak-element.js of ./dev web is there, materials are computed in the page. Not installed.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -53,6 +53,7 @@ void write_start_page(const std::string& folder) {
   if (const std::string figures = etak::demo::figures_page(); !figures.empty())
     etak::write_file("sources.html", figures, true);
   etak::demo::add_cards(data);
+  data.element = std::filesystem::exists("etak-element.js");
   etak::write_file("index.html", etak::start_page(data), true);
 }
 

@@ -75,6 +75,24 @@ void append_wall(std::string& out, const StartPageData& data) {
   out += "</div></section>\n";
 }
 
+void append_live(std::string& out, const StartPageData& data) {
+  if (!data.element) return;
+  append(
+      out,
+      "<section id=\"live\"><h2>Any material, computed in this page</h2>\n<p>The program itself, as WebAssembly: ",
+      std::to_string(data.library.size()),
+      " materials by id, name, alias or formula, drawn by etak's own shaders.</p>\n<form class=\"engine\">",
+      "<label>Material <input name=\"id\" value=\"titanium\" spellcheck=\"false\" autocomplete=\"off\"></label> ",
+      "<label>Titania on it <input name=\"film\" type=\"range\" min=\"0\" max=\"300\" step=\"5\" value=\"0\"> <output>none</output></label> ",
+      "<label>Roughness <input name=\"roughness\" type=\"range\" min=\"0\" max=\"1\" step=\"0.05\" value=\"0.25\"> <output>0.25</output></label></form>\n");
+  out +=
+      "<div class=\"live\"><etak-material id=\"titanium\" roughness=\"0.25\">titanium</etak-material>"
+      "<etak-material id=\"gold\" illuminant=\"A\">gold under illuminant A</etak-material>"
+      "<etak-material id=\"copper\" film=\"water:2mm\">copper under 2 mm of water</etak-material>"
+      "<etak-material id=\"apple\">apple</etak-material></div>\n"
+      "<script defer src=\"etak-element.js\"></script></section>\n";
+}
+
 void append_zone(std::string& out, const StartPageData& data) {
   append(
       out,
@@ -171,6 +189,7 @@ std::string start_page(const StartPageData& data) {
   std::string out;
   append_start_head(out, data);
   append_wall(out, data);
+  append_live(out, data);
   append_zone(out, data);
   append_chart(out, data);
   append_films(out, data);
@@ -179,6 +198,7 @@ std::string start_page(const StartPageData& data) {
   append_cards(out, data);
   append(out, "</main>\n");
   if (!data.materials.empty()) append(out, "<script>", copy_script, start_script, "</script>\n");
+  if (data.element) append(out, "<script>", live_script, "</script>\n");
   return out += "</body></html>\n";
 }
 

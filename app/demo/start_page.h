@@ -68,10 +68,11 @@ struct StartPageData {
   std::string verdict;
   std::vector<StartFinding> findings;
   std::vector<StartCard> cards;
+  bool element = false;  // whether etak-element.js of ./dev web is beside the page
 };
 
-/// The page. It is one file that loads nothing, and nothing needs a script to be read: scripts only add that
-/// a click copies values.
+/// The page. It is one file that loads nothing but etak-element.js where that is beside it, and nothing needs a script
+/// to be read: scripts add that a click copies values, and the section of materials computed in the page.
 std::string start_page(const StartPageData& data);
 
 /// The chart of the points as an SVG element: time across, error up, both logarithmic; a line from the least

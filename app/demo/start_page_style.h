@@ -57,6 +57,12 @@ section > p { max-width: 80ch; }
 .cards h3 { margin: 0 0 0.3rem; color: var(--link); font-size: 1.1rem; }
 .cards p { margin: 0; color: var(--ink-soft); }
 .cards img { display: block; width: 100%; height: 120px; object-fit: cover; object-position: top; border-radius: 4px; margin-bottom: 0.6rem; }
+.engine label { white-space: nowrap; margin-right: 1rem; }
+.engine input { font: inherit; vertical-align: middle; }
+.live { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 400px), 1fr)); gap: 0.9rem; margin: 1rem 0; }
+.live > * { background: var(--card); border-radius: 8px; padding: 0.75rem 0.9rem; }
+@media (min-width: 900px) { .live > :first-child { grid-row: span 3; } }
+.live > :first-child::part(swatch) { width: 180px; }
 @media (max-width: 600px) { .textures { --texel: 0.16px; } .panel { padding: 0.75rem; } .facts b { font-size: 1.4rem; } }
 @media (min-width: 1400px) and (max-width: 2199px) { header, main { max-width: 1720px; } }
 @media (min-width: 2200px) { .textures { --texel: 0.34px; } }
@@ -91,6 +97,23 @@ inline constexpr std::string_view start_script = R"js(
       if (event.key === 'Enter' || event.key === ' ') { event.preventDefault(); copy(); }
     });
   }
+})();
+)js";
+
+/// Script of the section of materials computed in the page: its fields change the first of them.
+inline constexpr std::string_view live_script = R"js(
+(() => {
+  const shown = document.querySelector('.live etak-material'), form = document.querySelector('#live form');
+  form.addEventListener('submit', (event) => event.preventDefault());
+  form.addEventListener('input', ({target}) => {
+    if (target.name === 'roughness') shown.setAttribute('roughness', target.value);
+    else if (target.value === '0') shown.removeAttribute('film');
+    else if (target.name === 'film') shown.setAttribute('film', `anatase:${target.value}nm`);
+    if (target.type !== 'range') return;
+    const unit = target.name === 'film' ? ' nm' : '';
+    target.nextElementSibling.textContent = unit && target.value === '0' ? 'none' : target.value + unit;
+  });
+  form.elements.id.addEventListener('change', ({target}) => { shown.id = target.value.trim(); });
 })();
 )js";
 

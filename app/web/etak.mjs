@@ -42,7 +42,7 @@ function reasonOf(error, words) {
   const place = `etak ${words[0] ?? ''}`.trim();
   if (error instanceof RangeError && /stack/i.test(error.message)) return `${place}: the input is nested too deeply`;
   if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError || error instanceof WebAssembly.Exception)
-    return `${place}: the program had to stop, most likely because there is not enough memory (${error.message})`;
+    return `${place}: the program had to stop, most likely because there is not enough memory${error.message ? ` (${error.message})` : ''}`;
   return `${place}: ${error.message}`;
 }
 

@@ -22,7 +22,7 @@ Finding found() {
   return out;
 }
 
-std::string page_of_samples() {
+std::string page_of_samples(bool element = false) {
   static const std::vector<MaterialReport> reports = sample_reports();
   StartPageData data;
   data.library = reports;
@@ -45,10 +45,18 @@ std::string page_of_samples() {
   data.verdict = "FAILED: 1 error in 1 file (0 clean).";
   data.findings = {{found(), {}}};
   data.cards = {{"f0.html", "F0", "All of it.", ""}};
+  data.element = element;
   return start_page(data);
 }
 
 }  // namespace
+
+TEST_CASE("the start page computes materials where the element is beside it, else it loads nothing") {
+  CHECK(!contains(page_of_samples(), " src=\"etak"));
+  const std::string page = page_of_samples(true);
+  CHECK(count_of(page, "<script defer src=\"etak-element.js\">") == 1);
+  CHECK(count_of(page, "<etak-material") == 4);
+}
 
 TEST_CASE("the start page shows spheres with their errors, values to copy, texels, findings and cards") {
   const std::string page = page_of_samples();

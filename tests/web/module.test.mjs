@@ -47,6 +47,23 @@ test('a run that needs more memory than there is ends with a sentence, and the n
   assert.deepEqual(own.run(['f0', 'gold']), before);
 });
 
+// Of so little memory that the table does not fit into the module, that the program cannot read it, and that it cannot compute with it.
+for (const [pages, status, said] of [[90, 134, /^etak f0: the program had to stop, most likely because there is not enough memory\n$/],
+  [150, 2, /^etak: x\.csv: needs more memory than there is, for its 3 MiB; expected .*\n$/],
+  [600, 2, /^etak: x\.csv: needs more memory than there is, for 3 MiB of text; expected .*\n$/]])
+  test(`a table in ${pages} pages of memory ends with a sentence, and the next run works`, () => {
+    const script = `import {readFileSync} from 'node:fs';
+import {start} from ${JSON.stringify(join(build, 'etak.mjs'))};
+const etak = await start(readFileSync(${JSON.stringify(join(build, 'etak.wasm'))})), gold = () => JSON.stringify(etak.run(['f0', 'gold']));
+const table = 'wavelength_nm,n,k\\n' + Array.from({length: 2e5}, (_, i) => (300 + i * 0.005) + ',1.5,0.00' + (i % 9 + 1) + '\\n').join('');
+const before = gold(), {status, err} = etak.run(['f0', 'x.csv'], {files: {'x.csv': table}});
+console.log(JSON.stringify({status, err, same: gold() === before}));`;
+    const got = JSON.parse(execFileSync('node', [`--wasm-max-mem-pages=${pages}`, '--input-type=module', '-e', script], {encoding: 'utf8'}));
+    assert.equal(got.status, status);
+    assert.match(got.err, said);
+    assert.ok(got.same);
+  });
+
 test('a trap is status 134 and one line, and the next run has a new instance', async () => {
   const own = await fresh(), before = own.run(['f0', 'gold']);
   const got = own.run(['f0', '-'], {stdin: {length: 2 ** 31 - 1}});  // no bytes: the copy fails
@@ -90,6 +107,18 @@ console.log(etak.run(['f0', 'gold']).out + etak.f0('copper').results.length);`);
     const out = execFileSync('node', [join(folder, 'try.mjs')]).toString();
     assert.ok(out.includes('gold') && out.endsWith('1\n'), out);
   });
+});
+
+test('materials in the documentation have the numbers of the program', () => {
+  const told = {F0: 0, diffuse: 0};
+  for (const [path, bytes] of filesBelow(join(root, 'resources/doc')).filter(([path]) => path.endsWith('.md') && path !== 'web.md'))
+    for (const [, id, film, text] of bytes.toString().matchAll(/<etak-material id="([^"]+)"(?: film="([^"]+)")?>([^<]*)</g)) {
+      const row = etak.f0(film ? `${film}/${id}` : id).results[0], what = row.class === 'surface' ? 'diffuse' : 'F0';
+      const numbers = [row.linear.r, row.linear.g, row.linear.b].map(value => value.toFixed(4)).join(' ');
+      assert.equal(text, `${row.name}: ${what} ${numbers}, ${row.hex}`, path);
+      ++told[what];
+    }
+  assert.ok(told.F0 >= 5 && told.diffuse >= 1);
 });
 
 test('a table of all materials is there at once', async context => {
