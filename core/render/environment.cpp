@@ -31,6 +31,7 @@ constexpr int prefilter_width = 512;
 constexpr double widest_lobe_map = 256;
 // The widths of the map that quick prefiltering reads, and of the picture of a studio that is prefiltered so.
 constexpr int quick_width = 128, quick_studio_width = 256;
+constexpr int studio_width = 1024;
 constexpr double widest_quick_map = 64;
 
 // A map of width x width/2 pixels whose values are value(direction).
@@ -56,7 +57,7 @@ struct Environment::Refined {
 };
 
 Environment::Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads,
-                         Prefilter prefilter) {
+                         Prefilter prefilter, bool levels) {
   if (lat_long.channels < 3)
     throw Error::at(what, std::to_string(lat_long.channels) + " channels",
                     "an environment of red, green and blue");
@@ -80,17 +81,10 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
       }
 
   if (map_.width > sharpest_width) smaller_map_ = at_most(map_, sharpest_width);
-  const bool quick = quick_ = prefilter == Prefilter::quick;
-  const Image seen = at_most(map_, quick ? quick_width : prefilter_width);
+  quick_ = prefilter == Prefilter::quick;
+  const Image seen = at_most(map_, quick_ ? quick_width : prefilter_width);
   irradiance_ = irradiance_of(seen, threads);
-  for (int i = 0; i < level_count; ++i) {
-    const double gloss = gloss_of_level(i);
-    levels_.push_back(
-        {gloss, lobe_map(seen, gloss, quick ? widest_quick_map : widest_lobe_map, threads, prefilter_width)});
-  }
-  std::vector<const Image*> maps;
-  for (const Level& level : levels_) maps.push_back(&level.map);
-  stack_ = stacked(maps, level_tile, threads);
+  if (levels) make_levels(seen, threads);
   refined_ = std::make_shared<std::array<Refined, 2>>();
 
   // Every pixel gets a little of the mean as weight, because bilinear look-up finds light in black pixels
@@ -112,6 +106,17 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
     row_sums_.push_back(total += row * solid_angle(map_, y));
   }
   for (double& sum : row_sums_) sum /= total;
+}
+
+void Environment::make_levels(const Image& seen, unsigned threads) {
+  for (int i = 0; i < level_count; ++i) {
+    const double gloss = gloss_of_level(i);
+    levels_.push_back({gloss, lobe_map(seen, gloss, quick_ ? widest_quick_map : widest_lobe_map, threads,
+                                       prefilter_width)});
+  }
+  std::vector<const Image*> maps;
+  for (const Level& level : levels_) maps.push_back(&level.map);
+  stack_ = stacked(maps, level_tile, threads);
 }
 
 Vec3 Environment::radiance(const Vec3& d) const {
@@ -225,6 +230,13 @@ std::shared_ptr<const Environment> quick_studio_environment(const std::string& n
       Environment::Prefilter::quick);
 }
 
+std::shared_ptr<const Environment> studio_above_ground(const std::string& name, double scale,
+                                                       unsigned threads, Environment::Prefilter prefilter) {
+  const int width = prefilter == Environment::Prefilter::quick ? quick_studio_width : studio_width;
+  return std::make_shared<const Environment>(environment_picture(studio_named(name), width, threads), scale,
+                                             name, threads, prefilter, false);
+}
+
 std::shared_ptr<const Environment> studio_environment(const std::string& name, double scale,
                                                       unsigned threads) {
   const Studio& studio = studio_named(name);
@@ -232,8 +244,8 @@ std::shared_ptr<const Environment> studio_environment(const std::string& name, d
   // Whoever asks for the same one meanwhile gets this one.
   const std::lock_guard one_at_a_time(making);
   if (auto out = known_studio_environment(name, scale)) return out;
-  const auto out =
-      std::make_shared<const Environment>(environment_picture(studio, 1024, threads), scale, name, threads);
+  const auto out = std::make_shared<const Environment>(environment_picture(studio, studio_width, threads),
+                                                       scale, name, threads);
   KnownEnvironments& known = known_environments();
   const std::lock_guard lock(known.guard);
   known.made[{name, scale}] = out;

@@ -37,8 +37,9 @@ class Environment {
   /// 8192 x 4096, and for NaN, infinite or negative radiance.
   ///   scale     factor of the radiance, >= 0
   ///   threads   for prefiltering; the result is the same for any number
+  ///   levels    false: without the levels, where irradiance and radiance alone are asked for
   Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads,
-              Prefilter prefilter = Prefilter::full);
+              Prefilter prefilter = Prefilter::full, bool levels = true);
 
   /// The radiance from direction `d` (a unit vector), bilinear between pixels.
   Vec3 radiance(const Vec3& d) const;
@@ -95,6 +96,8 @@ class Environment {
   double pdf(const Vec3& d) const;
 
  private:
+  void make_levels(const Image& seen, unsigned threads);
+
   Image map_;
   Image smaller_map_;  // empty where the map has no more than sharpest_width columns
   Image irradiance_;
@@ -133,6 +136,10 @@ std::shared_ptr<const Environment> studio_environment(const std::string& name, d
 /// The studio at once, from a smaller picture and quickly prefiltered: to be shown until studio_environment() is made.
 std::shared_ptr<const Environment> quick_studio_environment(const std::string& name, double scale,
                                                             unsigned threads);
+
+/// The studio as these two make it, without the levels: for with_ground(), which makes levels of its own.
+std::shared_ptr<const Environment> studio_above_ground(const std::string& name, double scale,
+                                                       unsigned threads, Environment::Prefilter prefilter);
 
 /// What studio_environment() has made; null, at once, where it has not.
 std::shared_ptr<const Environment> known_studio_environment(const std::string& name, double scale);

@@ -170,11 +170,12 @@ void write_textures(const ShaderArguments& arguments, const LightSetup& lights) 
                     "--env with one of etak's own: " + joined(named_studios(), ", ", &NamedStudio::name));
   const unsigned threads = thread_count(0);
   const double scale = lights.environment_scale;
-  const auto studio = arguments.quick ? quick_studio_environment(name, scale, threads)
-                                      : studio_environment(name, scale, threads);
+  const auto prefilter = arguments.quick ? Environment::Prefilter::quick : Environment::Prefilter::full;
   const auto environment =
-      with_ground(lights, studio, threads,
-                  arguments.quick ? Environment::Prefilter::quick : Environment::Prefilter::full);
+      lights.ground
+          ? with_ground(lights, studio_above_ground(name, scale, threads, prefilter), threads, prefilter)
+      : arguments.quick ? quick_studio_environment(name, scale, threads)
+                        : studio_environment(name, scale, threads);
   OutputFolder folder(arguments.textures, arguments.output.force ? Replace::anything : Replace::nothing);
   folder.write("environment_levels.pfm", texture_bytes(environment->level_stack()));
   folder.write("environment_irradiance.pfm", texture_bytes(environment->irradiance_map()));

@@ -44,7 +44,7 @@ int open_in(int folder, const std::string& name, OpenIn how, unsigned mode) {
   if (!from) return -1;
   const Place place = place_of(from, name);
   if (!place.folder) return -1;
-  Shared node = place.folder->entries.contains(place.name) ? entry_of(place) : nullptr;
+  Shared node = entry_of(place);
   if (node && how != OpenIn::lock) return failed(EEXIST);
   if (!node) {
     node = made(Kind::file);
@@ -143,7 +143,7 @@ unsigned user_mask() {
 bool try_lock(int open) {
   const Shared node = node_of(open);
   if (!node) return false;
-  if (node->locked_by >= 0 && node->locked_by != open) return failed(EWOULDBLOCK) == 0;
+  if (node->locked_by >= 0 && node->locked_by != open) return refused(EWOULDBLOCK);
   node->locked_by = open;
   return true;
 }

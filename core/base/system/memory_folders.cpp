@@ -12,7 +12,7 @@ namespace {
 
 bool make_at(const Place& place) {
   if (!place.folder) return false;
-  if (place.folder->entries.contains(place.name)) return failed(EEXIST) == 0;
+  if (place.folder->entries.contains(place.name)) return refused(EEXIST);
   put(place, made(Kind::folder));
   return true;
 }
@@ -20,8 +20,8 @@ bool make_at(const Place& place) {
 bool remove_at(const Place& place, bool folder) {
   const Shared node = entry_of(place);
   if (!node) return false;
-  if (folder != (node->kind == Kind::folder)) return failed(folder ? ENOTDIR : EISDIR) == 0;
-  if (!node->entries.empty()) return failed(ENOTEMPTY) == 0;
+  if (folder != (node->kind == Kind::folder)) return refused(folder ? ENOTDIR : EISDIR);
+  if (!node->entries.empty()) return refused(ENOTEMPTY);
   place.folder->entries.erase(place.name);
   place.folder->written = now();
   return true;
@@ -30,13 +30,13 @@ bool remove_at(const Place& place, bool folder) {
 bool rename_at(const Place& from, const Place& to, bool replaces) {
   const Shared node = entry_of(from);
   if (!node || !to.folder) return false;
-  if (const Shared there = to.folder->entries.contains(to.name) ? entry_of(to) : nullptr) {
+  if (const Shared there = entry_of(to)) {
     if (there == node) return true;
-    if (!replaces) return failed(EEXIST) == 0;
+    if (!replaces) return refused(EEXIST);
     if (!remove_at(to, node->kind == Kind::folder)) return false;
   }
   for (Shared above = to.folder; above; above = above->parent.lock())
-    if (above == node) return failed(EINVAL) == 0;
+    if (above == node) return refused(EINVAL);
   from.folder->entries.erase(from.name);
   put(to, node);
   return true;
@@ -83,14 +83,14 @@ bool can_exchange() {
 }
 
 bool exchange_in(int, const std::string&, int, const std::string&) {
-  return failed(ENOSYS) == 0;
+  return refused(ENOSYS);
 }
 
 bool link_in(int from, const std::string& name, int to, const std::string& new_name) {
   const Shared node = found_at(node_of(from), name);
   const Place place = place_of(node_of(to), new_name);
   if (!node || !place.folder) return false;
-  if (place.folder->entries.contains(place.name)) return failed(EEXIST) == 0;
+  if (place.folder->entries.contains(place.name)) return refused(EEXIST);
   put(place, node);
   return true;
 }
@@ -110,7 +110,7 @@ std::filesystem::path canonical(const std::filesystem::path& path) {
 }
 
 bool make_link_in(int, const std::string&, const std::string&) {
-  return failed(ENOSYS) == 0;
+  return refused(ENOSYS);
 }
 
 namespace {

@@ -38,6 +38,11 @@ int failed(int why) {
   return -1;
 }
 
+bool refused(int why) {
+  errno = why;
+  return false;
+}
+
 Opened* opened(int descriptor) {
   auto& open = tree().open;
   const auto index = static_cast<std::size_t>(descriptor);

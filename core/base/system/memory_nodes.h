@@ -46,8 +46,9 @@ struct Tree {
 
 Tree& tree();
 
-/// Sets errno; returns -1.
+/// Sets errno; returns -1 or false.
 int failed(int why);
+bool refused(int why);
 
 /// What is open under that number; null where nothing is, and errno says so.
 Opened* opened(int descriptor);
@@ -64,6 +65,7 @@ struct Place {
 };
 Place place_of(const Shared& from, std::string_view path);
 
+/// What has that name; null where nothing has, and errno says so.
 Shared entry_of(const Place& place);
 void put(const Place& place, Shared node);
 int open_node(Shared node, bool folder, bool writes);
