@@ -18,13 +18,14 @@ export const ballSize = side => Math.min(1024, Math.max(32, Math.round(side * Ma
 export class Drawing {
   gl = null;
   lit = false;
-  canvas = document.createElement('canvas');
+  canvas = null;
   programs = new Map();
   textures = new Map();
   pictures = new Map();
 
   /** `restored` is called where a lost context has come back, and all has to be drawn again. */
   constructor(restored) {
+    this.canvas = document.createElement('canvas');
     this.canvas.addEventListener('webglcontextlost', event => { event.preventDefault(); this.gl = null; });
     this.canvas.addEventListener('webglcontextrestored', () => { this.open(); restored(); });
   }

@@ -130,13 +130,22 @@ const grid = {
     if (!this.soon && balls.gl && balls.lit) this.soon = requestAnimationFrame(() => { this.soon = 0; this.drawSome(++this.token); });
   },
 
+  size: cell => ballSize(cell.item.firstChild.clientWidth || 112),
+
+  /** Asks for the shaders of the first balls while their light is made. */
+  askFirst() {
+    if (!balls.gl || location.hash.includes('=')) return;  // settings of a link are not taken yet
+    for (const entry of this.shown.slice(0, 12))
+      balls.shader(shaderWords(entry.id, modelOf(entry), this.size(this.cells.get(entry.id)))).catch(() => {});
+  },
+
   /** Draws what is in sight and stale, in the order of the page, until a newer call takes over. */
   async drawSome(token) {
     for (const {id} of this.shown) {
       const cell = this.cells.get(id);
       if (token !== this.token || !balls.gl) return;
       if (!this.inSight.has(cell) || cell.key || !cell.entry.row?.hex) continue;
-      const size = ballSize(cell.item.firstChild.clientWidth || 112);
+      const size = this.size(cell);
       try {
         const shader = await balls.shader(shaderWords(subjectOf(id), modelOf(cell.entry), size));
         if (token !== this.token || !balls.gl) return;

@@ -173,9 +173,11 @@ async function begin() {
     complain(`${lack} The program for the command line needs no browser.`);
     return;
   }
-  await engine.open();
+  const opened = engine.open();
+  await new Promise(done => setTimeout(done));  // the next line takes the thread that starts the worker
   balls.begin();
   const light = balls.light(engine, true).catch(error => complain(`No light for the balls: ${error.message}`));
+  await opened;
   const begun = performance.now();
   const [list, models, version] = await Promise.all([engine.json(['list', '-q']), engine.json(['models', '-q']), engine.run(['--version'])]);
   engine.times.rows = performance.now() - begun;
@@ -189,6 +191,7 @@ async function begin() {
   files.open();
   openKeys();
   complain(balls.why, 'notice');
+  grid.askFirst();
   const shown = takeFragment(location.hash);
   await light;
   grid.drawSoon();

@@ -11,7 +11,7 @@ export function workerOf(text, options) {
 }
 
 export class Program {
-  /** `make` makes a worker of worker.mjs, and `source` is what that takes first. `ended` is called where a program stops by itself. */
+  /** `make` makes a worker of worker.mjs, and `source` is what that takes first, or will be. `ended` is called where a program stops by itself. */
   constructor(make, source, ended = () => {}) {
     Object.assign(this, {make, worker: make(), waiting: new Map(), next: 0});
     let begun = false;
@@ -29,7 +29,9 @@ export class Program {
         if (begun) ended(why);
       };
     });
-    this.worker.postMessage({source});
+    const give = there => this.worker.postMessage({source: there});
+    if (source instanceof Promise) source.then(give, () => {});
+    else give(source);
   }
 
   take(id, answer) {
@@ -47,7 +49,7 @@ export class Program {
 
   /** A long run beside the others, in a worker of its own. */
   async aside(words, options) {
-    const other = new Program(this.make, (await this.ready).module);
+    const other = new Program(this.make, this.ready.then(({module}) => module));
     const answer = await other.run(words, options);
     other.end('');
     return answer;
