@@ -4,7 +4,7 @@
 //   ETAK       the program
 //   PICTURES   folder for pictures of the page at three widths in both themes; none are taken without it
 import {execFileSync, spawnSync} from 'node:child_process';
-import {existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
 import {extname, join, resolve} from 'node:path';
@@ -215,6 +215,7 @@ function writeDrops() {
     folder: (put('data/a/one.csv', table), put('data/b/two.yml', pageText), put('data/broken.csv', '\0\xff junk'), put('data/.hidden.csv', table), join(scratch, 'data')),
     textures: (put('set/crate_diff.png', png('crate_diff.png')), put('set/crate_spec.png', png('crate_spec.png')),
       put('set/&lt;i&gt;_spec.png', png('grey_spec.png')), put('set/broken_spec.png', 'junk'), put('set/sky.exr', 'v/1\x01'), join(scratch, 'set')),
+    pair: (['crate_diff.png', 'crate_spec.png', 'wood_diff.png', 'wood_spec.png'].forEach(name => put(`pair/${name}`, png(name))), join(scratch, 'pair')),
     empty: put('empty.csv', ''), deep: put('deep.json', '['.repeat(200000)),
   };
 }
@@ -276,6 +277,18 @@ async function drops(browser, page) {
     assert.ok((await saved('save-html', 'etak-report.html')).startsWith('<!DOCTYPE html>'));
     assert.equal(JSON.parse(await saved('save-json', 'etak-report.json')).schema, 'etak-validation/1');
     assert.equal(JSON.parse(await saved('save-sarif', 'etak-report.sarif')).version, '2.1.0');
+  });
+  await claim('textures are packed as the program packs them, into a ZIP', async () => {
+    await answered(`document.getElementById('pack')`, files.pair);
+    await saved('pack', 'etak-atlas.zip');
+    await page.until(`${text('packed')}.startsWith('etak-atlas.zip has')`);
+    execFileSync('python3', ['-m', 'zipfile', '-e', join(browser.profile, 'etak-atlas.zip'), join(scratch, 'unzipped')]);  // checks the sums, too
+    const out = spawnSync(resolve(etakFile), ['pack', 'pair', '-o', 'atlas', '--fail-on', 'never'], {cwd: scratch, encoding: 'utf8'}).stdout;
+    assert.ok((await page.value(results)).includes(out.split('\n')[0]));
+    const layout = folder => readFileSync(join(scratch, folder, 'layout.json'), 'utf8').replace(/"xxh128": \{[^}]*\}/, '');
+    assert.equal(layout('unzipped/atlas'), layout('atlas'));
+    assert.deepEqual(readdirSync(join(scratch, 'unzipped/atlas')).sort(), readdirSync(join(scratch, 'atlas')).sort());
+    if (pictures) await page.picture(join(pictures, 'packed.png'));
   });
   await claim('empty, deep and huge files are one clear line, and the page lives on', async () => {
     await answered(`${results}.includes('empty.csv')`, files.empty);

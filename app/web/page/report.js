@@ -24,10 +24,10 @@ const report = {
       const saved = await engine.run(['validate', '--format', format, ...inputs], {files: content});
       save(name, saved.outBytes ?? saved.out, type);
     }}, `Save ${format.toUpperCase()}`);
-    const said = messages(answer.err);
+    const said = messages(answer.err), [pack, packed] = packer(names, content);
     $('results').replaceChildren(
       el('p', {class: 'tools'}, saver('html', 'etak-report.html', 'text/html'), saver('json', 'etak-report.json', 'application/json'),
-        saver('sarif', 'etak-report.sarif', 'application/sarif+json')),
+        saver('sarif', 'etak-report.sarif', 'application/sarif+json'), pack), packed,
       said.length ? el('ul', {id: 'said', class: 'said'}, said.slice(0, 1000).map(line => el('li', {}, line))) : '',
       ...found.files.map(file => this.fileOf(file, masks)));
   },
