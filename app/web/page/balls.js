@@ -7,7 +7,7 @@ const balls = Object.assign(new Drawing(() => { grid.redraw(); card.redraw(); })
 
   begin() {
     if (!this.open()) this.why = 'This browser offers no WebGL 2, so materials are shown as flat colours of F0 instead of balls. All numbers are the same.';
-    // What most balls are drawn by is compiled, of which a first picture is a part, while the program is unpacked.
+    // What most balls are drawn by is compiled, of which a first picture is a part, while their light is made.
     else for (const shader of JSON.parse($('shaders').textContent)) this.draw(shader, 1);
   },
 

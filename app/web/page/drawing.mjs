@@ -43,7 +43,6 @@ export class Drawing {
 
   /** Makes the pictures of the studio's light by a run of the program: quickly with blurred details, or in full. */
   async light(program, quick) {
-    if (!this.gl) return;
     const answer = await program.aside(['shader', 'f0=1', ...studioWords, '--textures', 'light', ...(quick ? ['--quick'] : []), '-q'], {collect: true});
     if (answer.status) throw new Error(answer.err.replace(/^etak: /gm, '').trim());
     for (const [path, bytes] of Object.entries(answer.files)) {

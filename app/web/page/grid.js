@@ -135,7 +135,7 @@ const grid = {
   /** Asks for the shaders of the first balls while their light is made. */
   askFirst() {
     if (!balls.gl || location.hash.includes('=')) return;  // settings of a link are not taken yet
-    for (const entry of this.shown.slice(0, 12))
+    for (const entry of this.shown.slice(0, 3))
       balls.shader(shaderWords(entry.id, modelOf(entry), this.size(this.cells.get(entry.id)))).catch(() => {});
   },
 

@@ -174,12 +174,13 @@ async function begin() {
     return;
   }
   const opened = engine.open();
-  await new Promise(done => setTimeout(done));  // the next line takes the thread that starts the worker
-  balls.begin();
   const light = balls.light(engine, true).catch(error => complain(`No light for the balls: ${error.message}`));
   await opened;
   const begun = performance.now();
-  const [list, models, version] = await Promise.all([engine.json(['list', '-q']), engine.json(['models', '-q']), engine.run(['--version'])]);
+  const asked = Promise.all([engine.json(['list', '-q']), engine.json(['models', '-q']), engine.run(['--version'])]);
+  await new Promise(done => setTimeout(done));  // all this is on its way before the next line, which takes the thread for a while
+  balls.begin();
+  const [list, models, version] = await asked;
   engine.times.rows = performance.now() - begun;
   for (const entry of list.materials) library.set(entry.id, entry);
   $('version').textContent = version.out.trim().split('\n')[0] || 'etak';
@@ -198,7 +199,7 @@ async function begin() {
   card.redraw();
   await shown;
   document.documentElement.dataset.ready = 'rows';
-  await balls.light(engine, false).catch(() => {});  // the coarse light stays
+  if (balls.gl) await balls.light(engine, false).catch(() => {});  // the coarse light stays
   grid.redraw();
   card.frame();
   document.documentElement.dataset.ready = 'all';
