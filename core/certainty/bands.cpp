@@ -9,6 +9,7 @@
 #include "core/color/colorspace.h"
 #include "core/color/delta_e.h"
 #include "core/color/luminance.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 constexpr double least_channel = 1e-4;
 
 double ratio(double a, double b) {
-  return std::abs(std::log(std::max(a, least_channel) / std::max(b, least_channel)));
+  return std::abs(math::log(std::max(a, least_channel) / std::max(b, least_channel)));
 }
 
 Offsets product(const Offsets& a, const Offsets& b) {
@@ -30,8 +31,8 @@ Band around(const LinearRgb& stated, double half, const Offsets& nine) {
   Band out;
   out.de50 = std::min(half, nine[offset_de]);
   out.de90 = nine[offset_de];
-  const auto low = [&](double value, std::size_t i) { return value * std::exp(-nine[i]); };
-  const auto high = [&](double value, std::size_t i) { return value * std::exp(nine[i]); };
+  const auto low = [&](double value, std::size_t i) { return value * math::exp(-nine[i]); };
+  const auto high = [&](double value, std::size_t i) { return value * math::exp(nine[i]); };
   out.low90 = {low(stated.r, 1), low(stated.g, 2), low(stated.b, 3)};
   out.high90 = {high(stated.r, 1), high(stated.g, 2), high(stated.b, 3)};
   const double y = luminance_of(vec(stated));
@@ -99,8 +100,8 @@ std::array<LinearRgb, 5> half_band_colors(const Band& band, const LinearRgb& sta
   // The colour whose channels are multiplied by powers of one factor.
   const auto at_rim = [&](const Vec3& powers) {
     const auto changed = [&](double t) {
-      return LinearRgb{stated.r * std::exp(t * powers[0]), stated.g * std::exp(t * powers[1]),
-                       stated.b * std::exp(t * powers[2])};
+      return LinearRgb{stated.r * math::exp(t * powers[0]), stated.g * math::exp(t * powers[1]),
+                       stated.b * math::exp(t * powers[2])};
     };
     double low = 0, high = 2;
     for (int i = 0; i < 40; ++i) {

@@ -13,6 +13,7 @@
 #include "core/base/text/text.h"
 #include "core/certainty/publications.h"
 #include "core/color/delta_e.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -47,7 +48,7 @@ double distance(const LinearRgb& a, const LinearRgb& b) {
 // without its constant.
 double log_density(double squares, double scale, int colours) {
   const double dimensions = 2.0 * colours;
-  return -dimensions * std::log(scale) - (dimensions + 1) / 2 * std::log1p(squares / square(scale));
+  return -dimensions * math::log(scale) - (dimensions + 1) / 2 * math::log1p(squares / square(scale));
 }
 
 }  // namespace
@@ -167,15 +168,15 @@ Identified Identifier::identify(const AskedColour& asked, const Prior& prior) co
     const bool second = asked.f82 && each.f82;
     if (second) squares += square(distance(*asked.f82, *each.f82));
     const double scale =
-        std::hypot(each.band.de90 / radius_per_scale, asked.eight_bit ? eight_bit_scale : least_scale);
+        math::hypot(each.band.de90 / radius_per_scale, asked.eight_bit ? eight_bit_scale : least_scale);
     const double value =
-        log_density(squares, scale, second ? 2 : 1) + (weight != prior.end() ? std::log(weight->second) : 0);
+        log_density(squares, scale, second ? 2 : 1) + (weight != prior.end() ? math::log(weight->second) : 0);
     largest = std::max(largest, value);
     all.push_back({&each, delta_e, value});
   }
   double sum = 0;
   for (Weighed& each : all) {
-    each.weight = std::exp(each.weight - largest);
+    each.weight = math::exp(each.weight - largest);
     sum += each.weight;
   }
   std::stable_sort(all.begin(), all.end(),

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/color/colorspace.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -16,21 +17,21 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 double cube_root_or_line(double t) {
   constexpr double knee = 6.0 / 29;
-  return t > knee * knee * knee ? std::cbrt(t) : t / (3 * knee * knee) + 4.0 / 29;
+  return t > knee * knee * knee ? math::cbrt(t) : t / (3 * knee * knee) + 4.0 / 29;
 }
 
 double hue_degrees(double a, double b) {
   if (a == 0 && b == 0) return 0;
-  const double h = std::atan2(b, a) * degrees;
+  const double h = math::atan2(b, a) * degrees;
   return h < 0 ? h + 360 : h;
 }
 
 double cos_degrees(double x) {
-  return std::cos(x / degrees);
+  return math::cos(x / degrees);
 }
 
 double pow7_ratio(double chroma) {
-  const double c7 = std::pow(chroma, 7);
+  const double c7 = math::pow(chroma, 7);
   return std::sqrt(c7 / (c7 + 6103515625.0));  // 25^7
 }
 
@@ -50,10 +51,10 @@ Lab to_lab(const LinearRgb& srgb) {
 }
 
 double delta_e2000(const Lab& p, const Lab& q) {
-  const double mean_c = (std::hypot(p.a, p.b) + std::hypot(q.a, q.b)) / 2;
+  const double mean_c = (math::hypot(p.a, p.b) + math::hypot(q.a, q.b)) / 2;
   const double stretch = 1 + 0.5 * (1 - pow7_ratio(mean_c));
   const double a1 = stretch * p.a, a2 = stretch * q.a;
-  const double c1 = std::hypot(a1, p.b), c2 = std::hypot(a2, q.b);
+  const double c1 = math::hypot(a1, p.b), c2 = math::hypot(a2, q.b);
   const double h1 = hue_degrees(a1, p.b), h2 = hue_degrees(a2, q.b);
 
   double dh = 0,
@@ -67,17 +68,17 @@ double delta_e2000(const Lab& p, const Lab& q) {
                                       : (h1 + h2 - 360) / 2;
   }
   const double dl = q.l - p.l, dc = c2 - c1;
-  const double dhue = 2 * std::sqrt(c1 * c2) * std::sin(dh / 2 / degrees);
+  const double dhue = 2 * std::sqrt(c1 * c2) * math::sin(dh / 2 / degrees);
   const double mean_l = (p.l + q.l) / 2, mean_c2 = (c1 + c2) / 2;
 
   const double t = 1 - 0.17 * cos_degrees(mean_h - 30) + 0.24 * cos_degrees(2 * mean_h) +
                    0.32 * cos_degrees(3 * mean_h + 6) - 0.20 * cos_degrees(4 * mean_h - 63);
-  const double turn = 30 * std::exp(-std::pow((mean_h - 275) / 25, 2));
+  const double turn = 30 * math::exp(-math::pow((mean_h - 275) / 25, 2));
   const double l50 = (mean_l - 50) * (mean_l - 50);
   const double sl = 1 + 0.015 * l50 / std::sqrt(20 + l50);
   const double sc = 1 + 0.045 * mean_c2;
   const double sh = 1 + 0.015 * mean_c2 * t;
-  const double rt = -2 * pow7_ratio(mean_c2) * std::sin(2 * turn / degrees);
+  const double rt = -2 * pow7_ratio(mean_c2) * math::sin(2 * turn / degrees);
   const double l = dl / sl, c = dc / sc, h = dhue / sh;
   return std::sqrt(l * l + c * c + h * h + rt * c * h);
 }

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -22,7 +23,7 @@ double roughness_of_gloss(double gloss) {
 
 double gloss_of_roughness(double roughness) {
   // log2 gives the promised infinities: of infinity for roughness 0, of 0 for roughness 1.
-  return gloss_of_exponent(std::max(0.0, 2 / std::pow(roughness, 4) - 2));
+  return gloss_of_exponent(std::max(0.0, 2 / math::pow(roughness, 4) - 2));
 }
 
 Gloss Gloss::of_roughness(double roughness) {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "core/math/functions.h"
+
 namespace etak {
 
 // How rough a surface is: Schueler's gloss, perceptual roughness and the width of the lobe, and the one way
@@ -21,11 +23,11 @@ namespace etak {
 /// alpha_of_exponent() for shaders.
 template <std::floating_point Real>
 Real exponent_of_gloss(Real gloss) {
-  return std::exp2(12 * gloss);
+  return math::exp2(12 * gloss);
 }
 template <std::floating_point Real>
 Real gloss_of_exponent(Real exponent) {
-  return std::log2(exponent) / 12;
+  return math::log2(exponent) / 12;
 }
 
 /// Width of the lobe for GGX or Beckmann, alpha = sqrt(2 / (e + 2)), and back.
@@ -45,11 +47,11 @@ Real alpha_of_gloss(Real gloss) {
 /// The variance of the lobe, 1 / e, as which gloss is averaged; and back.
 template <std::floating_point Real>
 Real variance_of_gloss(Real gloss) {
-  return std::exp2(-12 * gloss);
+  return math::exp2(-12 * gloss);
 }
 template <std::floating_point Real>
 Real gloss_of_variance(Real variance) {
-  return -std::log2(variance) / 12;
+  return -math::log2(variance) / 12;
 }
 
 /// Perceptual roughness sqrt(alpha), 0.904 for gloss 0 to 0.149 for gloss 1: not 1 - gloss.

@@ -7,14 +7,15 @@
 #include "core/base/bytes/hex.h"
 #include "core/base/error.h"
 #include "core/base/text/ascii.h"
+#include "core/math/functions.h"
 
 namespace etak {
 double srgb_encode(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * math::pow(linear, 1 / 2.4) - 0.055;
 }
 
 double srgb_decode(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+  return encoded <= 0.04045 ? encoded / 12.92 : math::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 std::uint8_t plain_u8(double value) {
@@ -26,7 +27,7 @@ std::uint8_t srgb_u8(double linear) {
 }
 
 std::uint8_t power22_u8(double linear) {
-  return plain_u8(std::pow(std::clamp(linear, 0.0, 1.0), 1 / 2.2));
+  return plain_u8(math::pow(std::clamp(linear, 0.0, 1.0), 1 / 2.2));
 }
 
 Srgb8 srgb_u8(const LinearRgb& c) {

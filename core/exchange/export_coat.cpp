@@ -11,6 +11,7 @@
 #include "core/exchange/color_parts.h"
 #include "core/exchange/engine_values.h"
 #include "core/fresnel/fresnel.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -48,7 +49,7 @@ Vec3 TargetCoat::lets_pass(double cosine) const {
   // Of an index below 1 no light goes in at grazing angles.
   const double squared = std::max(1 - (1 - cosine * cosine) / (n * n), 1e-4);
   Vec3 out = vec(passes);
-  for (double& channel : out) channel = std::pow(std::max(channel, 0.0), 1 / std::sqrt(squared));
+  for (double& channel : out) channel = math::pow(std::max(channel, 0.0), 1 / std::sqrt(squared));
   return out;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -138,7 +139,7 @@ FilmLight film_light(const Film& film, double wavelength_nm, double cosine) {
     }
     finish();
     on_base = false;
-    keeps = std::exp(-2 * turns * wave.s.im);
+    keeps = math::exp(-2 * turns * wave.s.im);
     run = {{wave}, {}};
   }
   run.waves.push_back(outside);

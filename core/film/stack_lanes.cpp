@@ -8,6 +8,7 @@
 
 #include "core/base/clones.h"
 #include "core/film/stack.h"
+#include "core/math/functions.h"
 
 #define ETAK_POLYNOMIALS_F64
 

@@ -7,6 +7,7 @@
 #include <valarray>
 
 #include "core/color/delta_e.h"
+#include "core/math/functions.h"
 #include "core/math/solve.h"
 
 namespace etak {
@@ -23,7 +24,7 @@ using Row = std::valarray<double>;
 
 // Square roots of cosines, denser towards both ends, where a curve has no neighbours to hold it.
 double root_of(std::size_t sample) {
-  return (1 - std::cos(std::numbers::pi * (double(sample) + 0.5) / samples)) / 2;
+  return (1 - math::cos(std::numbers::pi * (double(sample) + 0.5) / samples)) / 2;
 }
 
 // What each colour takes of each sample: the solution of the normal equations. Grazing and normal incidence, which
@@ -75,7 +76,7 @@ FresnelDifference fresnel_difference(const std::function<Vec3(double)>& a,
     const double de = delta_e2000(to_lab(to_rgb(a(cosine))), to_lab(to_rgb(b(cosine))));
     if (!(de > out.de2000)) continue;
     out.de2000 = de;
-    out.at_deg = std::acos(cosine) * 180 / std::numbers::pi;
+    out.at_deg = math::acos(cosine) * 180 / std::numbers::pi;
   }
   return out;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/fresnel/fresnel.h"
+#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -48,7 +49,7 @@ Context new_context(const Kind& kind) {
                                  static_cast<unsigned>(kind.how.format->block_height), 1, presets[effort],
                                  kind.decodes ? ASTCENC_FLG_DECOMPRESS_ONLY : 0, &config));
   const std::array to{&config.cw_r_weight, &config.cw_g_weight, &config.cw_b_weight, &config.cw_a_weight};
-  for (std::size_t c = 0; c < to.size(); ++c) *to[c] = std::exp2(static_cast<float>(kind.weights[c]));
+  for (std::size_t c = 0; c < to.size(); ++c) *to[c] = math::exp2(static_cast<float>(kind.weights[c]));
   check_done(astcenc_context_alloc(&config, 1, &context));
   return {context, &astcenc_context_free};
 }
@@ -94,7 +95,7 @@ std::array<int, 4> classed(const ChannelWeights& weights) {
   const float most = std::max(1e-30f, *std::ranges::max_element(weights));
   std::array<int, 4> out{};
   std::ranges::transform(weights, out.begin(), [&](float weight) {
-    return std::max(least, static_cast<int>(std::lround(std::log2(std::max(1e-30f, weight / most)))));
+    return std::max(least, static_cast<int>(std::lround(math::log2(std::max(1e-30f, weight / most)))));
   });
   return out;
 }

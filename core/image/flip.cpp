@@ -17,6 +17,7 @@
 #include "core/color/colorspace.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -104,7 +105,7 @@ Plane seen_through(const FlipSensitivity& s, const Plane& plane, int width, int 
     Part part{taps_of(radius,
                       [&](int x) {
                         const double d = x / pixels_per_degree;
-                        return std::exp(-pi * pi * d * d / width_b);
+                        return math::exp(-pi * pi * d * d / width_b);
                       }),
               a * std::sqrt(pi / b)};
     total += part.scale * sum_of(part.taps) * sum_of(part.taps);
@@ -135,7 +136,7 @@ struct FeatureTaps {
 FeatureTaps feature_taps(double pixels_per_degree) {
   const double deviation = 0.5 * feature_width_deg * pixels_per_degree;
   const int radius = static_cast<int>(std::ceil(3 * deviation));
-  const auto gauss = [&](int x) { return std::exp(-x * x / (2 * deviation * deviation)); };
+  const auto gauss = [&](int x) { return math::exp(-x * x / (2 * deviation * deviation)); };
   FeatureTaps out{
       taps_of(radius, gauss), balanced(taps_of(radius, [&](int x) { return -x * gauss(x); })),
       balanced(taps_of(radius, [&](int x) { return (x * x / (deviation * deviation) - 1) * gauss(x); }))};
@@ -169,7 +170,7 @@ double hyab(const Lab& p, const Lab& q) {
 // The largest distance between two colours of sRGB, which is that between green and blue.
 double largest_difference() {
   static const double largest =
-      std::pow(hyab(hunt_adjusted({0, 1, 0}), hunt_adjusted({0, 0, 1})), color_power);
+      math::pow(hyab(hunt_adjusted({0, 1, 0}), hunt_adjusted({0, 0, 1})), color_power);
   return largest;
 }
 
@@ -177,7 +178,7 @@ double color_error(const Lab& p, const Lab& q) {
   const double distance = hyab(p, q);
   if (distance == 0) return 0;
   const double largest = largest_difference(), knee = knee_in * largest;
-  const double raised = std::pow(distance, color_power);
+  const double raised = math::pow(distance, color_power);
   if (raised < knee) return raised * knee_out / knee;
   return std::min(1.0, knee_out + (raised - knee) / (largest - knee) * (1 - knee_out));
 }
@@ -267,12 +268,12 @@ FlipError flip(const FlipView& reference, const FlipView& test) {
   for (std::size_t i = 0; i < out.map.size(); ++i) {
     const double color =
         color_error({reference.l[i], reference.a[i], reference.b[i]}, {test.l[i], test.a[i], test.b[i]});
-    const double feature = std::pow(std::max(std::abs(reference.edges[i] - test.edges[i]),
-                                             std::abs(reference.points[i] - test.points[i])) /
-                                        std::numbers::sqrt2,
-                                    feature_power);
+    const double feature = math::pow(std::max(std::abs(reference.edges[i] - test.edges[i]),
+                                              std::abs(reference.points[i] - test.points[i])) /
+                                         std::numbers::sqrt2,
+                                     feature_power);
     // pow(0, 0) would give 1, but where the colours do not differ, nothing differs.
-    out.map[i] = color == 0 ? 0 : std::pow(color, std::max(0.0, 1 - feature));
+    out.map[i] = color == 0 ? 0 : math::pow(color, std::max(0.0, 1 - feature));
     sum += out.map[i];
   }
   if (!out.map.empty()) out.mean = sum / static_cast<double>(out.map.size());

@@ -22,6 +22,7 @@
 #include "core/image/files/icc.h"
 #include "core/image/mesh_codecs.h"
 #include "core/image/picture_bytes.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -336,7 +337,7 @@ TextPicture with_degree_sign(TextPicture text, int size) {
                middle_y = -0.75 * size + radius + half_width - out.top;
   for (int y = 0; y < out.coverage.height; ++y)
     for (int x = text.coverage.width; x < out.coverage.width; ++x) {
-      const double off = std::abs(std::hypot(x + 0.5 - middle_x, y + 0.5 - middle_y) - radius);
+      const double off = std::abs(math::hypot(x + 0.5 - middle_x, y + 0.5 - middle_y) - radius);
       out.coverage.at(x, y)[0] = static_cast<float>(std::clamp(half_width + 0.5 - off, 0.0, 1.0));
     }
   return out;

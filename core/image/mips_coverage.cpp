@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/image/mip_chain.h"
+#include "core/math/functions.h"
 
 namespace etak::mip_detail {
 namespace {
@@ -48,7 +49,7 @@ double coverage(int width, int height, float cutoff, unsigned threads, const Opa
 float coverage_factor(const OpacityLevel& level, float cutoff, double share, unsigned threads) {
   const std::span<const float> opacities = level.opacities;
   const int width = level.width, height = level.height;
-  const auto factor_of = [](int k) { return static_cast<float>(std::exp2(k / 256.0)); };
+  const auto factor_of = [](int k) { return static_cast<float>(math::exp2(k / 256.0)); };
   const auto off_by = [&](int k) {
     const float factor = factor_of(k);
     return coverage(width, height, cutoff, threads,

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/math/functions.h"
 #include "core/math/solve.h"
 
 namespace etak {
@@ -50,7 +51,7 @@ class Search {
       if (truth_.weights[i] == 0) continue;
       const Lab& want = truth_.seen[i];
       const Lab got = lab_of(form_.seen(x, truth_.cosines[i]));
-      const double chroma = std::hypot(want.a, want.b), root = std::sqrt(truth_.weights[i]);
+      const double chroma = math::hypot(want.a, want.b), root = std::sqrt(truth_.weights[i]);
       const double along = chroma > 0 ? want.a / chroma : 1, across = chroma > 0 ? want.b / chroma : 0;
       const double da = got.a - want.a, db = got.b - want.b;
       out.push_back(root * (got.l - want.l));
@@ -183,9 +184,9 @@ FilmTruth film_truth(const std::function<Vec3(double)>& seen) {
   double sum = 0;
   for (int degrees = 0; degrees <= 84; degrees += 6) {
     const double angle = degrees * std::numbers::pi / 180;
-    out.cosines.push_back(std::cos(angle));
-    out.weights.push_back(degrees == 0 ? 0 : std::cos(angle) * std::sin(angle));
-    out.seen.push_back(lab_of(seen(std::cos(angle))));
+    out.cosines.push_back(math::cos(angle));
+    out.weights.push_back(degrees == 0 ? 0 : math::cos(angle) * math::sin(angle));
+    out.seen.push_back(lab_of(seen(math::cos(angle))));
     sum += out.weights.back();
   }
   for (double& weight : out.weights) weight /= sum;

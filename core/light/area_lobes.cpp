@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/color/gloss.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -38,7 +39,7 @@ double width_of(const Model& model, const std::vector<double>& values) {
     if (each.role == Role::exponent) return alpha_of_exponent(model.id == "phong" ? 4 * value : value);
     // The half vector where ABC falls to a half, as GGX has it.
     if (each.name == "a1" && at + 1 < values.size())
-      return std::sqrt(2 / std::max(value, 1e-6) * (std::exp2(1 / std::max(values[at + 1], 0.1)) - 1) /
+      return std::sqrt(2 / std::max(value, 1e-6) * (math::exp2(1 / std::max(values[at + 1], 0.1)) - 1) /
                        (std::numbers::sqrt2 - 1));
     at += each.color ? 3 : 1;
   }
@@ -135,8 +136,8 @@ Vec3 area_place(const Light& light, double x, double y) {
   const AreaAxes axes = area_axes(light);
   const bool round = light.kind == LightKind::disc;
   const double reach = std::sqrt(x), turn = 2 * std::numbers::pi * y;
-  const double right = round ? reach * std::cos(turn) : 2 * x - 1,
-               up = round ? reach * std::sin(turn) : 2 * y - 1;
+  const double right = round ? reach * math::cos(turn) : 2 * x - 1,
+               up = round ? reach * math::sin(turn) : 2 * y - 1;
   Vec3 out = light.position;
   for (std::size_t i = 0; i < 3; ++i) out[i] += axes.right[i] * right + axes.up[i] * up;
   return out;
@@ -161,14 +162,14 @@ double area_density(const Light& light, const Vec3& position, const Vec3& direct
 
 AreaCut area_cut(const Light& light) {
   AreaCut out;
-  const double half = std::hypot(light.width, light.height) / (2 * std::numbers::sqrt2),
+  const double half = math::hypot(light.width, light.height) / (2 * std::numbers::sqrt2),
                away = std::sqrt(dot(light.position, light.position));
-  const double degrees = 2 * std::atan2(half, away) * 180 / std::numbers::pi;
+  const double degrees = 2 * math::atan2(half, away) * 180 / std::numbers::pi;
   if (light.kind == LightKind::disc) {
     constexpr int sides = 16;
-    const double step = 2 * std::numbers::pi / sides, radius = std::sqrt(step / std::sin(step));
+    const double step = 2 * std::numbers::pi / sides, radius = std::sqrt(step / math::sin(step));
     const auto rim = [&](int i, double share) {
-      return std::array{share * radius * std::cos(i * step), share * radius * std::sin(i * step)};
+      return std::array{share * radius * math::cos(i * step), share * radius * math::sin(i * step)};
     };
     const double inner = degrees < 25 ? 1 : 0.55;
     for (int i = 0; i < sides; i += 2)

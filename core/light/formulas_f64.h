@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The formula texts compiled in double, for functions*.cpp. There is no include guard: each of these sources
-// includes this inside an unnamed namespace, after <cmath>.
+// includes this inside an unnamed namespace, after core/math/functions.h.
 namespace formulas {
 #include "core/math/real_f64.h"
 

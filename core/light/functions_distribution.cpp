@@ -6,6 +6,7 @@
 #include "core/brdf/integrals/normalise.h"
 #include "core/color/gloss.h"
 #include "core/light/function_rows.h"
+#include "core/math/functions.h"
 
 namespace etak::function_rows {
 namespace {

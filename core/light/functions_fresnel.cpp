@@ -7,6 +7,7 @@
 #include "core/base/number.h"
 #include "core/brdf/integrals/albedo.h"
 #include "core/light/function_rows.h"
+#include "core/math/functions.h"
 #include "core/math/quadrature.h"
 
 namespace etak::function_rows {

@@ -9,6 +9,7 @@
 #include "core/color/gloss.h"
 #include "core/color/srgb.h"
 #include "core/light/function_rows.h"
+#include "core/math/functions.h"
 
 namespace etak::function_rows {
 namespace {
@@ -64,7 +65,7 @@ double hemisphere_reference(double K_value, double g_value, double nv_value, std
         model.f64(d, values, rgb);
         return rgb[0];
       },
-      std::acos(std::min(nv_value, 1.0)) * (180 / 3.14159265358979323846), options);
+      math::acos(std::min(nv_value, 1.0)) * (180 / 3.14159265358979323846), options);
 }
 
 // How many codes change when they are decoded and encoded again. The input is how many codes there are: 256

@@ -10,6 +10,7 @@
 #include "core/brdf/models.h"
 #include "core/color/gloss.h"
 #include "core/light/function_rows.h"
+#include "core/math/functions.h"
 
 namespace etak::function_rows {
 namespace {
@@ -63,7 +64,7 @@ double reflected(In x) {
 double half_vector(In x) {
   const Directions d = directions(x);
   const Vec3 sum{d.lx + d.vx, d.ly + d.vy, d.lz + d.vz};
-  const double length = std::hypot(sum[0], sum[1], sum[2]);
+  const double length = math::hypot(sum[0], sum[1], sum[2]);
   if (length < 1e-12) throw Error::at("theta_v", "a viewer opposite to the light", "another direction");
   return sum[static_cast<std::size_t>(x[3])] / length;
 }

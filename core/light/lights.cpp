@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/light/studio.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -36,7 +37,7 @@ struct Checker {
   }
   void direction(const std::string& pointer, const Vec3& value) const {
     position(pointer, value);
-    const double length = std::hypot(value[0], value[1], value[2]);
+    const double length = math::hypot(value[0], value[1], value[2]);
     if (!(length > 1e-12)) throw Error::at(std::string(what) + '#' + pointer, "a direction of length zero");
   }
 
@@ -137,11 +138,11 @@ void choose_environment(LightSetup& setup, const std::string& environment) {
 Vec3 direction_of_angles(double elevation_deg, double azimuth_deg) {
   const double degree = std::numbers::pi / 180;
   const double up = elevation_deg * degree, right = azimuth_deg * degree;
-  return {std::cos(up) * std::sin(right), std::sin(up), std::cos(up) * std::cos(right)};
+  return {math::cos(up) * math::sin(right), math::sin(up), math::cos(up) * math::cos(right)};
 }
 
 Vec3 normalised_direction(const Vec3& v) {
-  const double length = std::hypot(v[0], v[1], v[2]);
+  const double length = math::hypot(v[0], v[1], v[2]);
   if (!(length > 1e-12) || !std::isfinite(length)) return {0, 0, -1};
   return {v[0] / length, v[1] / length, v[2] / length};
 }
@@ -152,7 +153,7 @@ std::vector<Light> spread_lights(int count) {
     const double z = 0.25 + 0.7 * (i + 0.5) / count, s = std::sqrt(1 - z * z);
     const double turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
     Light light;
-    light.direction = {-s * std::cos(turn), -s * std::sin(turn), -z};
+    light.direction = {-s * math::cos(turn), -s * math::sin(turn), -z};
     out.push_back(light);
   }
   return out;

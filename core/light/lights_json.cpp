@@ -6,6 +6,7 @@
 #include "core/base/json/json_text.h"
 #include "core/base/json/node_json.h"
 #include "core/light/lights.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -22,7 +23,7 @@ Vec3 three(const Node& node) {
 
 Vec3 unit_vector(const Node& node) {
   const Vec3 v = three(node);
-  const double length = std::hypot(v[0], v[1], v[2]);
+  const double length = math::hypot(v[0], v[1], v[2]);
   if (!(length > 1e-12) || !std::isfinite(length)) node.fail("a direction of length zero");
   // A vector of length 1 is not scaled, so that it reads back as it was written, bit by bit.
   if (std::abs(length - 1) < 1e-14) return v;

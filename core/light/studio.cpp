@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/color/luminance.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -42,7 +43,7 @@ double seen_share(const Lamp& lamp, const Vec3& d) {
 
 // A lamp that stands upright, `width_deg` and `height_deg` wide as seen from the object.
 Lamp lamp_at(const SkyPlace& at, double width_deg, double height_deg, double edge, const Vec3& radiance) {
-  const auto tangent = [](double whole_deg) { return std::tan(whole_deg / 2 * std::numbers::pi / 180); };
+  const auto tangent = [](double whole_deg) { return math::tan(whole_deg / 2 * std::numbers::pi / 180); };
   Lamp out;
   out.towards = direction_of_angles(at.elevation_deg, at.azimuth_deg);
   out.right = direction_of_angles(0, at.azimuth_deg + 90);
@@ -132,7 +133,7 @@ Light flash(const SkyPlace& at, double irradiance) {
 
 Vec3 radiance(const Studio& studio, const Vec3& d) {
   const double y = std::clamp(d[1], -1.0, 1.0);
-  const double rise = std::pow(1 - std::max(y, 0.0), studio.fall);
+  const double rise = math::pow(1 - std::max(y, 0.0), studio.fall);
   const Vec3 wall = mixed(studio.top, studio.horizon, rise);
   Vec3 out = mixed(studio.floor, wall, smooth_step(0.5 + y / (2 * studio.skirting)));
   for (const Lamp& lamp : studio.lamps) out = mixed(out, lamp.radiance, seen_share(lamp, d));

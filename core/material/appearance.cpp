@@ -13,6 +13,7 @@
 #include "core/material/dispersion.h"
 #include "core/material/f0/f0_data.h"
 #include "core/material/names.h"
+#include "core/math/functions.h"
 #include "core/spectrum/integration.h"
 #include "core/spectrum/interpolate.h"
 
@@ -32,7 +33,7 @@ std::array<double, 3> passing(std::span<const double> k, double depth_m) {
   const Quadrature& q = daylight();
   std::vector<double> share(k.size());
   for (std::size_t i = 0; i < k.size(); ++i)
-    share[i] = std::exp(-4 * std::numbers::pi * k[i] * depth_m / (q.wavelength_nm[i] * 1e-9));
+    share[i] = math::exp(-4 * std::numbers::pi * k[i] * depth_m / (q.wavelength_nm[i] * 1e-9));
   return q.integrate(share);
 }
 

@@ -16,6 +16,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -42,7 +43,7 @@ void fill(Block& out, double value) {
 // out = L^exponent. Whole exponents up to 64 by squaring, the rest by pow.
 void power(const Wavelengths& l, double exponent, Block& out) {
   if (exponent != std::trunc(exponent) || std::abs(exponent) > 64) {
-    for (std::size_t i = 0; i < block_size; ++i) out[i] = std::pow(l.um[i], exponent);
+    for (std::size_t i = 0; i < block_size; ++i) out[i] = math::pow(l.um[i], exponent);
     return;
   }
   auto rest = static_cast<unsigned>(std::abs(exponent));
@@ -93,7 +94,7 @@ void mixed(const Wavelengths& l, const Coefficients& c, Block& n2) {
   for (const std::size_t j : {std::size_t{2}, std::size_t{6}}) {
     if (c.size() < j) break;
     // An absent pole is 0, not 0^0.
-    const double pole = c.size() < j + 2 ? 0.0 : std::pow(c(j + 2), c(j + 3));
+    const double pole = c.size() < j + 2 ? 0.0 : math::pow(c(j + 2), c(j + 3));
     Block numerator;
     power(l, c(j + 1), numerator);
     const double strength = c(j);

@@ -11,6 +11,7 @@
 #include "core/fresnel/fresnel.h"
 #include "core/material/f0/f0_steps.h"
 #include "core/material/quality.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -54,7 +55,7 @@ std::string coated(const Coat& coat, const F0Options& options, const Optics& opt
   std::vector<double> kept(left.size());
   film_reflectance({{whole.outside, {}, {medium.n, {}}}, q.wavelength_nm}, 1, left);  // of the coat's surface
   for (std::size_t i = 0; i < left.size(); ++i) {
-    kept[i] = std::exp(-8 * std::numbers::pi * medium.k[i] * coat.thickness_nm / q.wavelength_nm[i]);
+    kept[i] = math::exp(-8 * std::numbers::pi * medium.k[i] * coat.thickness_nm / q.wavelength_nm[i]);
     const double reflected = left[i], passes = 1 - reflected;
     left[i] = kept[i] * passes * passes / (1 - kept[i] * reflected * f0_under[i]);
   }

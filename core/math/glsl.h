@@ -29,23 +29,23 @@ inline real dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 #ifndef ETAK_POLYNOMIALS
 inline real abs(real x) { return std::abs(x); }
 inline real sqrt(real x) { return std::sqrt(x); }
-inline real pow(real x, real e) { return std::pow(x, e); }
-inline real exp2(real x) { return std::exp2(x); }
-inline real log(real x) { return std::log(x); }
-inline real log2(real x) { return std::log2(x); }
-inline real erf(real x) { return std::erf(x); }
+inline real pow(real x, real e) { return math::pow(x, e); }
+inline real exp2(real x) { return math::exp2(x); }
+inline real log(real x) { return math::log(x); }
+inline real log2(real x) { return math::log2(x); }
+inline real erf(real x) { return math::erf(x); }
 #ifdef ETAK_POLYNOMIALS_F64  // double, for such loops
 #include "core/math/polynomials_f64.h"
 #else
-inline real exp(real x) { return std::exp(x); }
-inline real sin(real x) { return std::sin(x); }
-inline real cos(real x) { return std::cos(x); }
+inline real exp(real x) { return math::exp(x); }
+inline real sin(real x) { return math::sin(x); }
+inline real cos(real x) { return math::cos(x); }
 #endif
 
 // No function of GLSL: log2 of c2 = 1 - s2, where s2 is known without cancellation and may be small.
 // resources/shaders/log2_complement.glsl has it for GPUs.
 inline real log2_complement(real c2, real s2) {
-  return s2 < real(0.5) ? std::log1p(-s2) * real(1.44269504088896340736) : std::log2(max(c2, tiny));
+  return s2 < real(0.5) ? math::log1p(-s2) * real(1.44269504088896340736) : math::log2(max(c2, tiny));
 }
 #endif
 // NOLINTEND

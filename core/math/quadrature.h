@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/math/functions.h"
+
 namespace etak {
 
 /// Nodes and weights of Gauss-Legendre quadrature over [-1, 1], by Newton's method on the Legendre
@@ -16,7 +18,7 @@ struct GaussLegendre {
 
   GaussLegendre() {
     for (std::size_t i = 0; i < N; ++i) {
-      double x = std::cos(3.14159265358979323846 * (static_cast<double>(i) + 0.75) / (N + 0.5)), slope = 1;
+      double x = math::cos(3.14159265358979323846 * (static_cast<double>(i) + 0.75) / (N + 0.5)), slope = 1;
       for (int round = 0; round < 8; ++round) {
         double before = 1, here = x;
         for (std::size_t k = 2; k <= N; ++k) {

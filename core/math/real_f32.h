@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // No include guard: makes the namespace it is included in one where the formula texts (*.glsl) compile as C++
-// in float, with the constants that shaders get from resources/shaders/constants.glsl. Needs <cmath>;
+// in float, with the constants that shaders get from resources/shaders/constants.glsl. Needs core/math/functions.h;
 // the texts are included after this file.
 using real = float;
 [[maybe_unused]] constexpr real tiny = 1e-37f;         // divisors stay above it

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/math/functions.h"
+
 namespace etak {
 
 /// A unit sphere of triangles, +y up, counter-clockwise from outside.
@@ -26,9 +28,9 @@ inline SphereMesh sphere_mesh(int slices, int stacks) {
     for (int i = 0; i <= slices; ++i) {
       const double u = static_cast<double>(i) / slices, v = static_cast<double>(j) / stacks;
       const double phi = 2 * std::numbers::pi * u, theta = std::numbers::pi * v;
-      out.points.push_back({static_cast<float>(std::sin(theta) * std::cos(phi)),
-                            static_cast<float>(std::cos(theta)),
-                            static_cast<float>(-std::sin(theta) * std::sin(phi))});
+      out.points.push_back({static_cast<float>(math::sin(theta) * math::cos(phi)),
+                            static_cast<float>(math::cos(theta)),
+                            static_cast<float>(-math::sin(theta) * math::sin(phi))});
       out.uvs.push_back({static_cast<float>(u), static_cast<float>(v)});
     }
   const auto at = [&](int i, int j) { return static_cast<std::uint16_t>(j * (slices + 1) + i); };

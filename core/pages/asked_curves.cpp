@@ -9,6 +9,7 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
+#include "core/math/functions.h"
 #include "core/render/typed.h"
 
 namespace etak {
@@ -109,7 +110,7 @@ class Curves {
     const auto steps = static_cast<int>(std::lround(90 / request_.step_deg));
     for (int i = 0; i <= steps; ++i) {
       curve.x.push_back(90.0 * i / steps);
-      curve.rgb.push_back(seen(i == steps ? 0 : std::cos(curve.x.back() * radian)));
+      curve.rgb.push_back(seen(i == steps ? 0 : math::cos(curve.x.back() * radian)));
     }
   }
 
@@ -138,7 +139,7 @@ class Curves {
     add(term_curve(term, values, request_.light_deg, request_.step_deg), parameters, values);
     if (kind_ == CurveKind::masking)
       times(
-          [&](double deg) { return std::abs(deg) == 90 ? 0 : 4 * light_cosine() * std::cos(deg * radian); });
+          [&](double deg) { return std::abs(deg) == 90 ? 0 : 4 * light_cosine() * math::cos(deg * radian); });
   }
 
   void add(const Model& model, const NamedNumbers& set) {
@@ -150,7 +151,7 @@ class Curves {
   std::vector<ColorCurve> curves;
 
  private:
-  double light_cosine() const { return std::cos(request_.light_deg * radian); }
+  double light_cosine() const { return math::cos(request_.light_deg * radian); }
 
   std::vector<double> values_of(const Model& model, const NamedNumbers& set) {
     std::vector<ClampedValue> clamped;

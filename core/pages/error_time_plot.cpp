@@ -7,6 +7,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text/text.h"
+#include "core/math/functions.h"
 #include "core/pages/error_time_report.h"
 #include "core/plot/plot_file.h"
 
@@ -24,12 +25,12 @@ struct LogAxis {
   double from = 0, to = 1;     // coordinates of its ends in the SVG
 
   LogAxis(double smallest, double largest, double from_, double to_) : from(from_), to(to_) {
-    least = std::floor(std::log10(smallest) * 2 - 0.2) / 2;
-    most = std::ceil(std::log10(largest) * 2 + 0.2) / 2;
+    least = std::floor(math::log10(smallest) * 2 - 0.2) / 2;
+    most = std::ceil(math::log10(largest) * 2 + 0.2) / 2;
     if (most - least < 1) least -= 0.5, most += 0.5;
   }
   double at(double value) const {
-    const double log = std::clamp(std::log10(std::max(value, 1e-300)), least, most);
+    const double log = std::clamp(math::log10(std::max(value, 1e-300)), least, most);
     return from + (log - least) / (most - least) * (to - from);
   }
 };
@@ -75,7 +76,7 @@ void append_grid(std::string& out, const LogAxis& x, const LogAxis& y) {
   const auto ticks = [](const LogAxis& axis, auto tick) {
     for (double decade = std::floor(axis.least); decade <= axis.most; ++decade)
       for (const double mantissa : {1.0, 3.0}) {
-        const double value = mantissa * std::pow(10, decade), log = std::log10(value);
+        const double value = mantissa * math::pow(10, decade), log = math::log10(value);
         if (log < axis.least - 1e-9 || log > axis.most + 1e-9) continue;
         // With many decades only the powers of ten have room.
         if (mantissa == 3.0 && axis.most - axis.least > 3) continue;
@@ -113,7 +114,7 @@ std::vector<std::vector<const Point*>> fronts_of(const std::vector<Point>& point
 void take_front(const std::vector<const Point*>& front, std::vector<Box>& taken) {
   for (std::size_t i = 1; i < front.size(); ++i) {
     const Point &a = *front[i - 1], &b = *front[i];
-    const int steps = 1 + static_cast<int>(std::hypot(b.x - a.x, b.y - a.y) / 4);
+    const int steps = 1 + static_cast<int>(math::hypot(b.x - a.x, b.y - a.y) / 4);
     for (int step = 0; step <= steps; ++step) {
       const double x = std::lerp(a.x, b.x, double(step) / steps),
                    y = std::lerp(a.y, b.y, double(step) / steps);

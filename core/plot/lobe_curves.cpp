@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plot/lobe_curves.h"
+#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,7 +13,7 @@ namespace {
 // Unit vectors in the plane of incidence, at angles from the normal towards the mirror side.
 Directions in_plane(double light_deg, double viewer_deg) {
   const double light = light_deg * std::numbers::pi / 180, viewer = viewer_deg * std::numbers::pi / 180;
-  return {std::sin(light), 0, std::cos(light), std::sin(viewer), 0, std::cos(viewer)};
+  return {math::sin(light), 0, math::cos(light), math::sin(viewer), 0, math::cos(viewer)};
 }
 
 std::vector<double> even_angles(double first_deg, double step_deg) {

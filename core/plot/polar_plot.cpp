@@ -7,6 +7,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text/text.h"
+#include "core/math/functions.h"
 #include "core/plot/plot_file.h"
 
 namespace etak {
@@ -17,7 +18,7 @@ constexpr double decades = 4;
 
 PolarPoint on_rim(double angle_deg, double radius) {
   const double radian = angle_deg * std::numbers::pi / 180;
-  return {radius * std::sin(radian), radius * std::cos(radian)};
+  return {radius * math::sin(radian), radius * math::cos(radian)};
 }
 
 }  // namespace
@@ -27,8 +28,8 @@ PlotAxis radial_axis(std::string label, double most, RadialScale scale) {
   if (scale == RadialScale::linear) return nice_axis(std::move(label), 0, most, 4);
   PlotAxis out;
   out.label = std::move(label);
-  const double last = std::ceil(std::log10(most) - 1e-9);
-  for (double power = last - decades; power <= last; ++power) out.ticks.push_back(std::pow(10, power));
+  const double last = std::ceil(math::log10(most) - 1e-9);
+  for (double power = last - decades; power <= last; ++power) out.ticks.push_back(math::pow(10, power));
   out.least = out.ticks.front();
   out.most = out.ticks.back();
   return out;
@@ -43,7 +44,7 @@ double polar_radius(const PolarPlot& plot, double value) {
   if (!(value > axis.least)) return 0;
   const double share = plot.scale == RadialScale::linear
                            ? (value - axis.least) / (axis.most - axis.least)
-                           : std::log10(value / axis.least) / std::log10(axis.most / axis.least);
+                           : math::log10(value / axis.least) / math::log10(axis.most / axis.least);
   return std::min(share, 1.0);
 }
 

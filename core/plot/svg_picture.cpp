@@ -13,12 +13,17 @@
 #include "core/base/number.h"
 #include "core/base/text/ascii.h"
 #include "core/base/text/text.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
 
 using Place = std::complex<double>;  // x + i y
 using Line = std::vector<Place>;
+
+double length_of(Place way) {
+  return math::hypot(way.real(), way.imag());
+}
 using Properties = std::map<std::string, std::string, std::less<>>;
 
 // The numbers of a text, whatever stands between them.
@@ -80,8 +85,10 @@ std::vector<Line> lines_of(std::string_view path) {
     if (command == 'H') line.emplace_back(n.at(0), at.imag());
     if (command == 'V') line.emplace_back(at.real(), n.at(0));
     if (command == 'h') line.push_back(at + n.at(0));
-    for (int degree = 1; command == 'A' && degree <= 180; ++degree)
-      line.push_back(at + n.at(0) * (1.0 + std::polar(1.0, std::numbers::pi * (1 + degree / 180.0))));
+    for (int degree = 1; command == 'A' && degree <= 180; ++degree) {
+      const double angle = std::numbers::pi * (1 + degree / 180.0);
+      line.push_back(at + n.at(0) * Place(1 + math::cos(angle), math::sin(angle)));
+    }
     for (std::size_t i = 1; (command == 'M' || command == 'L') && i < n.size(); i += 2)
       line.emplace_back(n[i - 1], n[i]);
   }
@@ -97,7 +104,7 @@ std::vector<Line> dashes_of(const Line& line, const std::vector<double>& turns) 
   for (const double turn : turns) period += turn;
   bool drawn = false;
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const double length = std::abs(line[i] - line[i - 1]), steps = std::ceil(length / step);
+    const double length = length_of(line[i] - line[i - 1]), steps = std::ceil(length / step);
     for (double k = 0; k < steps; ++k, walked += length / steps) {
       double phase = std::fmod(walked, period);
       std::size_t turn = 0;
@@ -113,7 +120,7 @@ std::vector<Line> dashes_of(const Line& line, const std::vector<double>& turns) 
 double distance_to_segment(Place p, Place a, Place b) {
   const double square = std::norm(b - a);
   const double share = square > 0 ? std::clamp(((p - a) * std::conj(b - a)).real() / square, 0.0, 1.0) : 0;
-  return std::abs(p - a - share * (b - a));
+  return length_of(p - a - share * (b - a));
 }
 
 // Adds a line with round ends, of which each pixel has its covered part.

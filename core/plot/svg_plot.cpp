@@ -12,6 +12,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text/text.h"
+#include "core/math/functions.h"
 #include "core/plot/plot_file.h"
 
 namespace etak {
@@ -30,8 +31,8 @@ struct Point {
 // ---- fewer points
 
 double distance(Point p, Point a, Point b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
-  if (length == 0) return std::hypot(p.x - a.x, p.y - a.y);
+  const double dx = b.x - a.x, dy = b.y - a.y, length = math::hypot(dx, dy);
+  if (length == 0) return math::hypot(p.x - a.x, p.y - a.y);
   return std::abs(dx * (a.y - p.y) - (a.x - p.x) * dy) / length;
 }
 
@@ -78,10 +79,11 @@ std::string coordinate(double value) {
 // power of ten where that would be long.
 std::string tick_text(double value, double step) {
   if (value == 0) return "0";
-  const int digits_after_point = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  const int digits_after_point = std::max(0, -static_cast<int>(std::floor(math::log10(step) + 1e-9)));
   if (std::abs(value) < 1e5 && digits_after_point <= (std::abs(value) < 0.1 ? 4 : 8))
     return fixed(value, digits_after_point);
-  const double decades = std::floor(std::log10(std::abs(value)) + 1e-9) - std::floor(std::log10(step) + 1e-9);
+  const double decades =
+      std::floor(math::log10(std::abs(value)) + 1e-9) - std::floor(math::log10(step) + 1e-9);
   std::array<char, 64> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific,
                                  std::clamp(static_cast<int>(decades), 0, 17))
@@ -233,7 +235,7 @@ PlotAxis nice_axis(std::string label, double least, double most, int count) {
     most += half;
   }
   const double rough = (most - least) / count;
-  const double power = std::pow(10, std::floor(std::log10(rough)));
+  const double power = math::pow(10, std::floor(math::log10(rough)));
   const double mantissa = rough / power;
   const double step = power * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
   const double first = std::floor(least / step + 1e-9), last = std::ceil(most / step - 1e-9);

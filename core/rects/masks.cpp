@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/base/parallel.h"
+#include "core/math/functions.h"
 #include "core/rects/index.h"
 #include "core/rects/mask_page.h"
 
@@ -66,7 +67,7 @@ class MaskSearch {
     std::vector<Try> tries;
     const double middle = std::sqrt(static_cast<double>(area_) / usual_fill);
     for (int k = -widths_each_way; k <= widths_each_way; ++k)
-      tries.push_back({0, rounded(static_cast<int>(middle * std::exp2(k / 7.0)))});
+      tries.push_back({0, rounded(static_cast<int>(middle * math::exp2(k / 7.0)))});
     std::vector<Try> good = compete(tries);
     // The best widths by all orders, then widths close to the best.
     tries.clear();

@@ -4,6 +4,7 @@
 #include <functional>
 #include <numeric>
 
+#include "core/math/functions.h"
 #include "core/rects/pack.h"
 
 namespace etak::rects {
@@ -149,7 +150,7 @@ std::vector<int> widths_to_try(const Set& set, const Frame& frame, bool rotate) 
   std::vector<int> out;
   const double middle = std::sqrt(static_cast<double>(set.area));
   const int least = std::max(1, rotate ? set.longest_short_side : set.widest);
-  for (int k = -8; k <= 8; ++k) out.push_back(static_cast<int>(std::ceil(middle * std::exp2(k / 16.0))));
+  for (int k = -8; k <= 8; ++k) out.push_back(static_cast<int>(std::ceil(middle * math::exp2(k / 16.0))));
   std::vector<int> sides{set.widest, set.tallest, 2 * set.widest};
   for (const int other : widest_sides(set)) sides.push_back(set.widest + other);
   for (const int side : sides)

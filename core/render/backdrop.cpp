@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/backdrop.h"
+#include "core/math/functions.h"
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/camera.h"
+#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +9,8 @@ namespace etak {
 
 Mat3 camera_axes(const View& view) {
   constexpr double degree = 3.14159265358979323846 / 180;
-  const double ct = std::cos(view.turn_deg * degree), st = std::sin(view.turn_deg * degree),
-               cr = std::cos(view.rise_deg * degree), sr = std::sin(view.rise_deg * degree);
+  const double ct = math::cos(view.turn_deg * degree), st = math::sin(view.turn_deg * degree),
+               cr = math::cos(view.rise_deg * degree), sr = math::sin(view.rise_deg * degree);
   return {{{ct, 0, -st}, {-st * sr, cr, -ct * sr}, {st * cr, sr, ct * cr}}};
 }
 
@@ -21,7 +22,7 @@ Camera::Camera(const Scene& scene)
       centre_column_(scene.width / 2.0),
       centre_row_(scene.height / 2.0) {
   if (perspective_) {
-    spread_ = std::tan(scene.field_of_view_deg / 2 * (3.14159265358979323846 / 180)) / 1.1;
+    spread_ = math::tan(scene.field_of_view_deg / 2 * (3.14159265358979323846 / 180)) / 1.1;
     distance_ = std::sqrt(1 + 1 / (spread_ * spread_));
     side_ = 1 / (spread_ * distance_);
   }
@@ -103,7 +104,8 @@ double Camera::coverage(double x, double y) const {
   for (std::size_t i = 0; i < 2; ++i) {
     // The distance to the edge in the picture, from the gradient of the place on the square over the picture.
     const double place = at[i] / at[2];
-    const double slope = std::hypot(plane_[i][0] - place * plane_[2][0], plane_[i][1] - place * plane_[2][1]);
+    const double slope =
+        math::hypot(plane_[i][0] - place * plane_[2][0], plane_[i][1] - place * plane_[2][1]);
     share *= inside((1 - std::abs(place)) * at[2] / std::max(slope, 1e-6));
   }
   return share;

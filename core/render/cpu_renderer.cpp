@@ -12,6 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/color/luminance.h"
 #include "core/light/area_lobes.h"
+#include "core/math/functions.h"
 #include "core/render/ambient/ambient.h"
 #include "core/render/ambient/light_samples.h"
 #include "core/render/backdrop.h"

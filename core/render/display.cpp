@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/color/srgb.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/energy.h"
+#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,10 +54,10 @@ std::vector<float> quick_albedo(const Scene& scene, int steps) {
     for (int i = 0; i < polar_steps; ++i) {
       const double t = (i + 0.5) / polar_steps, theta = pi / 2 * t * t * t;
       const double d_theta = pi / 2 * 3 * t * t / polar_steps;
-      const double st = std::sin(theta), ct = std::cos(theta);
+      const double st = math::sin(theta), ct = math::cos(theta);
       for (int j = 0; j < around_steps; ++j) {
         const double phi = 2 * pi * (j + 0.5) / around_steps;
-        const Vec3 h{st * std::cos(phi), st * std::sin(phi), ct};
+        const Vec3 h{st * math::cos(phi), st * math::sin(phi), ct};
         const double vh = h[0] * v[0] + h[2] * v[2];
         if (vh <= 0) continue;
         const Vec3 l{2 * vh * h[0] - v[0], 2 * vh * h[1], 2 * vh * h[2] - v[2]};

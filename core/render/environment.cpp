@@ -15,6 +15,7 @@
 #include "core/base/text/text.h"
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
+#include "core/math/functions.h"
 #include "core/render/ambient/lat_long.h"
 #include "core/render/ambient/light_samples.h"
 #include "core/render/ambient/prefilter.h"
@@ -41,8 +42,9 @@ Image filled(int width, unsigned threads, Value value) {
   parallel_chunks(static_cast<std::size_t>(out.height), threads, 1,
                   [&](std::size_t row, std::size_t, unsigned) {
                     const int y = static_cast<int>(row);
+                    const MapRow angles((y + 0.5) / out.height);
                     for (int x = 0; x < out.width; ++x) {
-                      const Vec3 v = value(direction_at((x + 0.5) / out.width, (y + 0.5) / out.height));
+                      const Vec3 v = value(direction_at((x + 0.5) / out.width, angles));
                       for (std::size_t i = 0; i < 3; ++i) out.at(x, y)[i] = static_cast<float>(v[i]);
                     }
                   });
@@ -166,12 +168,12 @@ Vec3 Environment::sample(double u, double v) const {
   const double column_before = column == 0 ? 0 : begin[column - 1];
   const double in_column = (u - column_before) / (begin[column] - column_before);
   // Within a pixel, directions are spread evenly over the solid angle, that is linearly in the cosine.
-  const double top = std::cos(pi * double(row) / map_.height),
-               bottom = std::cos(pi * double(row + 1) / map_.height);
+  const double top = math::cos(pi * double(row) / map_.height),
+               bottom = math::cos(pi * double(row + 1) / map_.height);
   const double y = top + (bottom - top) * std::clamp(in_row, 0.0, 1.0);
   const double phi = 2 * pi * ((double(column) + std::clamp(in_column, 0.0, 1.0)) / map_.width - 0.5);
   const double sine = std::sqrt(std::max(0.0, (1 - y) * (1 + y)));
-  return {sine * std::sin(phi), y, -sine * std::cos(phi)};
+  return {sine * math::sin(phi), y, -sine * math::cos(phi)};
 }
 
 double Environment::pdf(const Vec3& d) const {
@@ -188,8 +190,8 @@ double Environment::pdf(const Vec3& d) const {
 EnvironmentTurn::EnvironmentTurn(double degrees) {
   // A turn of 0 is the exact identity, so that it does not change a scene by rounding.
   if (degrees == 0) return;
-  cos_ = std::cos(degrees * (pi / 180));
-  sin_ = std::sin(degrees * (pi / 180));
+  cos_ = math::cos(degrees * (pi / 180));
+  sin_ = math::sin(degrees * (pi / 180));
 }
 
 Image environment_picture(const Studio& studio, int width, unsigned threads) {

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/light/area_lobes.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -38,8 +39,8 @@ double irradiance_of(const Light& light, bool pi_scaled) {
   const double r = std::max(std::sqrt(dot(way, way)), point_light_min_r);
   double share = 1;
   if (light.kind == LightKind::spot) {
-    const double radian = std::numbers::pi / 180, inner = std::cos(light.inner_deg * radian),
-                 outer = std::cos(light.outer_deg * radian), c = -dot(way, light.direction) / r;
+    const double radian = std::numbers::pi / 180, inner = math::cos(light.inner_deg * radian),
+                 outer = math::cos(light.outer_deg * radian), c = -dot(way, light.direction) / r;
     const double t =
         inner > outer ? std::clamp((c - outer) / (inner - outer), 0.0, 1.0) : (c >= inner ? 1 : 0);
     share = t * t * (3 - 2 * t);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/lobe_density.h"
+#include "core/math/functions.h"
 
 #include <algorithm>
 #include <array>
@@ -12,13 +13,13 @@ namespace {
 using std::numbers::pi;
 constexpr std::size_t node_count = 257;
 constexpr double first_node = 1e-5, spread_share = 0.01;
-const double growth = std::log(pi / 2 / first_node) / (node_count - 2);
+const double growth = math::log(pi / 2 / first_node) / (node_count - 2);
 
 // Polar angles from 0 to pi / 2, each but the first two a factor above the one before: lobes are from 1e-4 to 1 wide.
 double node(std::size_t i) {
   static const auto nodes = [] {
     std::array<double, node_count> out{};
-    for (std::size_t j = 1; j < node_count; ++j) out[j] = first_node * std::exp(growth * double(j - 1));
+    for (std::size_t j = 1; j < node_count; ++j) out[j] = first_node * math::exp(growth * double(j - 1));
     out.back() = pi / 2;
     return out;
   }();
@@ -34,13 +35,14 @@ std::vector<double> reflected_by_polar_angle(const Model& model, const std::vect
   std::vector<double> weight(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double theta = node(i / around), phi = 2 * pi * (double(i % around) + 0.5) / around;
-    const double h[3] = {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+    const double h[3] = {math::sin(theta) * math::cos(phi), math::sin(theta) * math::sin(phi),
+                         math::cos(theta)};
     const double vh = v[0] * h[0] + v[1] * h[1] + v[2] * h[2];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       rows[axis][i] = static_cast<float>(2 * vh * h[axis] - v[axis]);
       rows[3 + axis][i] = static_cast<float>(v[axis]);
     }
-    weight[i] = std::max(0.0, 2 * vh * h[2] - v[2]) * std::max(0.0, vh) * std::sin(theta);
+    weight[i] = std::max(0.0, 2 * vh * h[2] - v[2]) * std::max(0.0, vh) * math::sin(theta);
   }
   const float* const directions[6] = {rows[0].data(), rows[1].data(), rows[2].data(),
                                       rows[3].data(), rows[4].data(), rows[5].data()};
@@ -80,7 +82,7 @@ LobeDensity::LobeDensity(const Model& model, const std::vector<double>& values) 
   const double lobe = integral(density_);
   for (std::size_t i = 0; i < node_count; ++i)
     density_[i] = (lobe > 0 ? (1 - spread_share) / lobe * density_[i] : 0) +
-                  (lobe > 0 ? spread_share : 1) * std::sin(2 * node(i));
+                  (lobe > 0 ? spread_share : 1) * math::sin(2 * node(i));
   sum_.push_back(0);
   for (std::size_t i = 0; i + 1 < node_count; ++i)
     sum_.push_back(sum_.back() + piece(density_, i, node(i + 1)));
@@ -99,12 +101,12 @@ double LobeDensity::polar(double u) const {
 }
 
 double LobeDensity::pdf(double polar) const {
-  const double at = polar < first_node ? 0 : 1 + std::log(polar / first_node) / growth;
+  const double at = polar < first_node ? 0 : 1 + math::log(polar / first_node) / growth;
   const auto i = std::min(static_cast<std::size_t>(at), node_count - 2);
   const double from = node(i), share = std::clamp((polar - from) / (node(i + 1) - from), 0.0, 1.0);
   // Both the density over the angle and the ring of directions vanish at the normal.
   if (i == 0) return density_[1] / (2 * pi * node(1));
-  return (density_[i] + (density_[i + 1] - density_[i]) * share) / (2 * pi * std::sin(polar));
+  return (density_[i] + (density_[i + 1] - density_[i]) * share) / (2 * pi * math::sin(polar));
 }
 
 std::vector<double> without_body(const Model& model, std::vector<double> values) {

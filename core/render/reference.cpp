@@ -17,6 +17,7 @@
 #include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
 #include "core/light/area_lobes.h"
+#include "core/math/functions.h"
 #include "core/render/backdrop.h"
 #include "core/render/lobe_density.h"
 #include "core/render/surface_textures.h"
@@ -143,8 +144,8 @@ class Shader {
         to_light = way * (1 / r);
         e *= f64::point_irradiance(f64::vec3(1), r).x;
         if (light.kind == LightKind::spot)
-          e *= f64::spot_share(-dot(to_light, light.direction), std::cos(light.inner_deg * pi / 180),
-                               std::cos(light.outer_deg * pi / 180));
+          e *= f64::spot_share(-dot(to_light, light.direction), math::cos(light.inner_deg * pi / 180),
+                               math::cos(light.outer_deg * pi / 180));
       }
       const Vec3 l = frame * to_light;
       if (l[2] <= 0 || e <= 0) continue;
@@ -264,7 +265,7 @@ class Shader {
   double lobe_pdf(const Vec3& l, const Vec3& v) const {
     const Vec3 bisector = l + v;
     const double length = std::sqrt(dot(bisector, bisector));
-    return density_->pdf(std::atan2(std::hypot(bisector[0], bisector[1]), bisector[2])) / (2 * length);
+    return density_->pdf(math::atan2(math::hypot(bisector[0], bisector[1]), bisector[2])) / (2 * length);
   }
 
   const Scene& scene_;
@@ -296,10 +297,10 @@ class Shader {
     const double phi = 2 * pi * at[1];
     if (!lobe) {
       const double radius = std::sqrt(at[0]);
-      return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - at[0])};
+      return {radius * math::cos(phi), radius * math::sin(phi), std::sqrt(1 - at[0])};
     }
     const double theta = density_->polar(at[0]);
-    const Vec3 h{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+    const Vec3 h{math::sin(theta) * math::cos(phi), math::sin(theta) * math::sin(phi), math::cos(theta)};
     const double vh = dot(h, v);
     return vh > 0 ? h * (2 * vh) + v * -1 : Vec3{0, 0, -1};
   }
@@ -339,7 +340,7 @@ void add_sampled(const Shader::Estimates& estimates, double hits, PixelSum& out)
     mean = mean + estimates.mean[i] * (estimates.count[i] / total);
   for (std::size_t i = 0; i < estimates.mean.size(); ++i) {
     const double off = luminance_of(estimates.mean[i]) - luminance_of(mean);
-    squares += std::pow(estimates.count[i] / total * off, 2);
+    squares += math::pow(estimates.count[i] / total * off, 2);
   }
   out.color = out.color + mean * hits;
   if (sets > 1) out.square_error = squares * sets / (sets - 1) * hits * hits;

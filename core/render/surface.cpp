@@ -10,6 +10,7 @@
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
 #include "core/material/seen_stack.h"
+#include "core/math/functions.h"
 #include "core/render/scene.h"
 #include "core/spectrum/interpolate.h"
 
@@ -22,7 +23,7 @@ Vec3 passing_of(const ClearBody& body) {
   Vec3 out = vec(body.color);
   for (double& each : out)
     each = body.depth_m > 0
-               ? std::clamp(std::pow(std::max(each, least), clear_ball_m / body.depth_m), least, 1.0)
+               ? std::clamp(math::pow(std::max(each, least), clear_ball_m / body.depth_m), least, 1.0)
                : 1;
   return out;
 }

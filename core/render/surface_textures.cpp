@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/color/gloss.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -93,7 +94,7 @@ std::array<double, 4> texel(const Image& texture, double u, double v) {
 std::array<double, 2> texture_place(Shape shape, const Vec3& p) {
   if (shape == Shape::quad) return {0.5 + 0.5 * p[0], 0.5 - 0.5 * p[1]};
   using std::numbers::pi;
-  return {0.5 + std::atan2(p[0], p[2]) / (2 * pi), std::atan2(std::hypot(p[0], p[2]), p[1]) / pi};
+  return {0.5 + math::atan2(p[0], p[2]) / (2 * pi), math::atan2(math::hypot(p[0], p[2]), p[1]) / pi};
 }
 
 std::array<double, 4> emission_at(const Scene& scene, const std::array<double, 2>& place) {

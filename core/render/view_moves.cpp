@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/math/functions.h"
 #include "core/render/camera.h"
 #include "core/render/cpu_renderer.h"
 
@@ -35,7 +36,7 @@ ViewPlace highlight(const Vec3& l, const Mat3& axes) {
 }
 
 Vec3 mirrored_at(const ViewPlace& place, const Mat3& axes) {
-  const double r = std::hypot(place.x, place.y), scale = r > silhouette_limit ? silhouette_limit / r : 1;
+  const double r = math::hypot(place.x, place.y), scale = r > silhouette_limit ? silhouette_limit / r : 1;
   const double x = place.x * scale, y = place.y * scale, z = std::sqrt(1 - x * x - y * y);
   // 2 (n v) n - v in the camera's axes, where v is (0, 0, 1).
   const Vec3 seen{2 * z * x, 2 * z * y, 2 * z * z - 1};

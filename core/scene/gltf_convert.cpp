@@ -11,6 +11,7 @@
 #include "core/image/linear_tables.h"
 #include "core/image/picture.h"
 #include "core/image/wrap.h"
+#include "core/math/functions.h"
 #include "core/scene/material_texels.h"
 
 namespace etak {
@@ -321,7 +322,7 @@ Image8 scaled_normals(const Image8& map, double scale, int width, int height, co
                    texel(m[5] * map.height + column * right[1] + row * down[1], map.height, place.wrap[1]));
         Vec3 v;
         for (std::size_t c = 0; c < 3; ++c) v[c] = (from[grey ? 0 : c] / 127.5 - 1) * (c < 2 ? scale : 1);
-        const double length = scale == 1 ? 1 : std::max(1e-6, std::hypot(v[0], v[1], v[2]));
+        const double length = scale == 1 ? 1 : std::max(1e-6, math::hypot(v[0], v[1], v[2]));
         for (std::size_t c = 0; c < 3; ++c) sum[c] += v[c] / length;
       }
       for (std::size_t c = 0; c < 3; ++c)

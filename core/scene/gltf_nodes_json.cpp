@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/math/functions.h"
 #include "core/math/mat3.h"
 #include "core/scene/gltf_json.h"
 
@@ -47,7 +48,7 @@ Placement placement_of(const JsonNode& node) {
   numbers_at(node, "translation", out.origin, -widest, widest);
   numbers_at(node, "scale", scale, -widest, widest);
   numbers_at(node, "rotation", q, -2, 2);
-  const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  const double length = math::hypot(math::hypot(q[0], q[1]), math::hypot(q[2], q[3]));
   if (length == 0) node.at("rotation").fail("a quaternion of length 0", "a unit quaternion");
   const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
   out.linear = {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
@@ -106,7 +107,7 @@ GltfCamera camera_of(const JsonNode& node, const Placement& place) {
   out.position = place.origin;
   // A camera looks along its own -z.
   const Vec3 along = place.linear * Vec3{0, 0, -1};
-  const double length = std::hypot(along[0], along[1], along[2]);
+  const double length = math::hypot(along[0], along[1], along[2]);
   if (length > 0)
     for (std::size_t i = 0; i < 3; ++i) out.direction[i] = along[i] / length;
   return out;
@@ -289,13 +290,13 @@ class Walk {
         center[c] = (corner[0][c] + corner[1][c] + corner[2][c]) / 3;
       }
       const double twice =
-          std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+          math::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
       use.world_area.push_back(static_cast<float>(twice / 2));
       use.world_center.push_back(
           {static_cast<float>(center[0]), static_cast<float>(center[1]), static_cast<float>(center[2])});
       double radius = 0;
       for (const Vec3& each : corner)
-        radius = std::max(radius, std::hypot(each[0] - center[0], each[1] - center[1], each[2] - center[2]));
+        radius = std::max(radius, math::hypot(each[0] - center[0], each[1] - center[1], each[2] - center[2]));
       use.world_radius.push_back(static_cast<float>(radius));
       const auto product = [](const Vec3& p, const Vec3& q) {
         return static_cast<float>(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);

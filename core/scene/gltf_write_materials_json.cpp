@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/functions.h"
 #include "core/scene/gltf_write_json.h"
 #include "core/scene/uri.h"
 
@@ -105,7 +106,7 @@ class Writer {
     Json& extensions = json["extensions"];
     if (passes && ior > 1) {
       extensions["KHR_materials_ior"] = {{"ior", ior}};
-      scale = std::pow((ior + 1) / (ior - 1), 2);
+      scale = math::pow((ior + 1) / (ior - 1), 2);
     } else {
       extensions["KHR_materials_ior"] = {{"ior", 0.0}};
     }

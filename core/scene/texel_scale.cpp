@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/scene/texel_scale.h"
+#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ ScreenPixels pixels(const GltfCamera& camera, const std::array<float, 3>& center
   double depth = 0;
   for (std::size_t c = 0; c < 3; ++c) depth += (double{center[c]} - camera.position[c]) * camera.direction[c];
   if (depth + radius < camera.znear) return {};
-  const double tangent = std::tan(camera.yfov / 2), scale = view_height / (2 * tangent);
+  const double tangent = math::tan(camera.yfov / 2), scale = view_height / (2 * tangent);
   const double corner = std::sqrt(1 + tangent * tangent * (1 + widest_aspect * widest_aspect));
   return {scale / std::max(camera.znear, depth + radius),
           scale / std::max(camera.znear, depth - radius) * corner};
@@ -78,8 +79,8 @@ TexelScale texel_scale(const MaterialUses& uses, int material, const GltfTexture
             pixels(camera, use.world_center[t], double{use.world_radius[t]}, view_height);
         if (there.most == 0) continue;
         out.seen = true;
-        least_level = std::min(least_level, 0.5 * std::log2(density.least) - std::log2(there.most));
-        most_level = std::max(most_level, 0.5 * std::log2(density.most) - std::log2(there.fewest));
+        least_level = std::min(least_level, 0.5 * math::log2(density.least) - math::log2(there.most));
+        most_level = std::max(most_level, 0.5 * math::log2(density.most) - math::log2(there.fewest));
       }
     }
   }

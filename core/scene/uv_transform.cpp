@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/scene/uv_transform.h"
+#include "core/math/functions.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +8,7 @@
 namespace etak {
 
 UvMatrix uv_matrix(const UvTransform& t) {
-  double c = std::cos(t.rotation), s = std::sin(t.rotation);
+  double c = math::cos(t.rotation), s = math::sin(t.rotation);
   // cos(pi/2) is 6e-17 in doubles; a texel lookup should not see it.
   if (std::abs(c) < 1e-15) c = 0;
   if (std::abs(s) < 1e-15) s = 0;
@@ -33,9 +34,9 @@ std::optional<UvTransform> composed(const UvTransform& outer, const UvTransform&
     return out;
   }
   // The columns of the matrix are scale_u (cos, -sin) and scale_v (sin, cos).
-  const double u = std::hypot(m[0], m[3]), v = std::hypot(m[1], m[4]);
+  const double u = math::hypot(m[0], m[3]), v = math::hypot(m[1], m[4]);
   if (std::abs(m[0] * m[1] + m[3] * m[4]) > 1e-12 * u * v) return std::nullopt;
-  out.rotation = u > 0 ? std::atan2(-m[3], m[0]) : std::atan2(m[1], m[4]);
+  out.rotation = u > 0 ? math::atan2(-m[3], m[0]) : math::atan2(m[1], m[4]);
   const bool mirrored = m[0] * m[4] - m[1] * m[3] < 0;
   out.scale = {u, mirrored ? -v : v};
   return out;

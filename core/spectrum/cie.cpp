@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text/ascii.h"
+#include "core/math/functions.h"
 #include "core/spectrum/integration.h"
 #include "core/spectrum/interpolate.h"
 #include "core/spectrum/own_viewing.h"
@@ -215,8 +216,8 @@ std::string light_remark(Illuminant illuminant) {
       of_known += known[i] * cie1931[i][1];
     }
     for (std::size_t i = 0; i < grid_size; ++i) {
-      apart += std::pow(power[i] / of_own - known[i] / of_known, 2);
-      size += std::pow(known[i] / of_known, 2);
+      apart += math::pow(power[i] / of_own - known[i] / of_known, 2);
+      size += math::pow(known[i] / of_known, 2);
     }
     if (std::abs(own[0] - white[0]) < 0.01 && std::abs(own[2] - white[2]) < 0.01 && apart > 0.04 * size)
       return "a metamer of " + std::string(name(each)) +

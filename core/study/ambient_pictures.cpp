@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/color/gloss.h"
+#include "core/math/functions.h"
 #include "core/render/camera.h"
 #include "core/study/sphere_pictures.h"
 
@@ -23,7 +24,7 @@ struct HalfVectors {
   double alpha;
   Vec3 light(const Vec3& v, double a, double b) const {
     const double tan2 = alpha * alpha * a / (1 - a), nh = 1 / std::sqrt(1 + tan2), s = std::sqrt(tan2) * nh;
-    const Vec3 h{s * std::cos(2 * pi * b), s * std::sin(2 * pi * b), nh};
+    const Vec3 h{s * math::cos(2 * pi * b), s * math::sin(2 * pi * b), nh};
     const double twice = 2 * dot(h, v);
     return {twice * h[0] - v[0], twice * h[1] - v[1], twice * h[2] - v[2]};
   }
@@ -60,7 +61,7 @@ struct Samples {
       Vec3 l;
       if (i % 4 == 0) {
         const double radius = std::sqrt(a);
-        l = {radius * std::cos(2 * pi * b), radius * std::sin(2 * pi * b), std::sqrt(1 - a)};
+        l = {radius * math::cos(2 * pi * b), radius * math::sin(2 * pi * b), std::sqrt(1 - a)};
       } else if (i % 4 == 3) {
         l = frame * environment.sample(a, b);
       } else {

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "core/fresnel/fresnel.h"
+#include "core/math/functions.h"
 #include "core/study/measure.h"
 
 namespace etak {
@@ -67,7 +68,7 @@ AngleCurves angle_curves(const Optics& optics, const F0Options& options, std::st
     truth = fresnel_truth([&](double) { return vec(result.srgb_linear); }, step_deg);
   }
   for (const double cosine : truth.cosine)
-    out.angle_deg.push_back(std::acos(cosine) * 180 / std::numbers::pi);
+    out.angle_deg.push_back(math::acos(cosine) * 180 / std::numbers::pi);
   const auto add = [&](std::string_view id) {
     const FresnelForm& form = *fresnel_form(id);
     out.forms.push_back(curve_of(form, truth, form.fit(truth), exact));

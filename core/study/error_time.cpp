@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/error_time.h"
+#include "core/math/functions.h"
 
 #include <algorithm>
 #include <array>
@@ -36,7 +37,7 @@ enum class Answer { no, yes, open };
 Answer takes_at_most(const RunTime& a, const RunTime& b, double factor) {
   std::vector<double> logs;
   for (std::size_t i = 0; i < std::min(a.rounds_ns.size(), b.rounds_ns.size()); ++i)
-    if (const double log = std::log(a.rounds_ns[i] / (factor * b.rounds_ns[i])); std::isfinite(log))
+    if (const double log = math::log(a.rounds_ns[i] / (factor * b.rounds_ns[i])); std::isfinite(log))
       logs.push_back(log);
   if (logs.empty()) return Answer::open;
   const double median = median_of(logs);

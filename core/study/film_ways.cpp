@@ -14,6 +14,7 @@
 #include "core/fresnel/curve.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/seen_stack.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -82,7 +83,7 @@ Pixels<std::uint8_t> strip_of(const std::vector<FilmWays>& films, std::size_t wa
   out.channels = 3;
   for (int y = 0; y < out.height; ++y)
     for (const FilmWays& film : films) {
-      const Srgb8 codes = srgb_u8(to_rgb(film.ways[way].seen(std::cos(3.0 * y * std::numbers::pi / 180))));
+      const Srgb8 codes = srgb_u8(to_rgb(film.ways[way].seen(math::cos(3.0 * y * std::numbers::pi / 180))));
       out.values.insert(out.values.end(), {codes.r, codes.g, codes.b});
     }
   return out;

@@ -7,6 +7,7 @@
 
 #include "core/color/delta_e.h"
 #include "core/fresnel/fresnel.h"
+#include "core/math/functions.h"
 #include "core/render/scene.h"
 
 namespace etak {
@@ -82,7 +83,7 @@ FresnelValues fit_three(const FresnelTruth& truth) {
 FresnelValues fit_curve(const FresnelTruth& truth) {
   const double last = static_cast<double>(truth.rgb.size() - 1);
   const FresnelCurve curve = fitted_curve([&](double cosine) {
-    const double place = last * std::acos(std::min(cosine, 1.0)) / (std::numbers::pi / 2);
+    const double place = last * math::acos(std::min(cosine, 1.0)) / (std::numbers::pi / 2);
     const auto at = std::min(static_cast<std::size_t>(place), truth.rgb.size() - 2);
     Vec3 out{};
     for (std::size_t c = 0; c < 3; ++c)
@@ -145,7 +146,7 @@ FresnelValues fit_lazanyi(const FresnelTruth& truth) {
       double over = 0, under = 0;
       for (std::size_t i = 0; i < truth.cosine.size(); ++i) {
         const double cosine = truth.cosine[i], m = 1 - cosine;
-        const double dip = cosine * std::pow(std::max(m, 0.0), alpha);
+        const double dip = cosine * math::pow(std::max(m, 0.0), alpha);
         over += dip * (in_double::f_lazanyi(n, k, 0, alpha, cosine) - truth.rgb[i][c]);
         under += dip * dip;
       }
@@ -214,8 +215,8 @@ FresnelTruth fresnel_truth(const std::function<Vec3(double)>& seen, double step_
   double sum = 0;
   for (std::size_t i = 0; i <= steps; ++i) {
     const double angle = std::numbers::pi / 2 * static_cast<double>(i) / static_cast<double>(steps);
-    truth.cosine.push_back(i == steps ? 0 : std::cos(angle));
-    truth.weight.push_back(std::sin(angle) * truth.cosine.back());
+    truth.cosine.push_back(i == steps ? 0 : math::cos(angle));
+    truth.weight.push_back(math::sin(angle) * truth.cosine.back());
     sum += truth.weight.back();
     truth.rgb.push_back(seen(truth.cosine.back()));
   }
@@ -254,7 +255,7 @@ FresnelError fresnel_error(const FresnelTruth& truth, const FresnelForm& form, c
       means[c] += truth.weight[i] * miss;
       if (!(miss <= error.max_abs)) {
         error.max_abs = miss;
-        error.at_deg = std::acos(truth.cosine[i]) * 180 / std::numbers::pi;
+        error.at_deg = math::acos(truth.cosine[i]) * 180 / std::numbers::pi;
       }
     }
     const double de = delta_e2000(to_lab(to_rgb(rgb)), to_lab(to_rgb(truth.rgb[i])));

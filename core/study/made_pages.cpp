@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/math/functions.h"
 #include "core/study/measure.h"
 
 namespace etak {
@@ -63,7 +64,7 @@ Image8 sprite_page(int side) {
     for (int x = 0; x < side; ++x) {
       const int column = x / cell, row = y / cell;
       const double u = (x % cell + 0.5) / (cell / 2.0) - 1, v = (y % cell + 0.5) / (cell / 2.0) - 1;
-      const double radius = 0.55 + 0.05 * ((column + 3 * row) % 8), r = std::hypot(u, v) / radius;
+      const double radius = 0.55 + 0.05 * ((column + 3 * row) % 8), r = math::hypot(u, v) / radius;
       const double cover = std::clamp((1 - r) * radius * cell / 2 + 0.5, 0.0, 1.0);
       if (cover == 0) continue;
       const double light = 0.25 + 0.75 * std::sqrt(std::max(0.0, 1 - r * r));

@@ -8,6 +8,7 @@
 
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -43,7 +44,7 @@ AngleTable reflectances_of(const FresnelTruth& truth, const FresnelForm& form) {
 // Linear between the angles.
 Vec3 at_cosine(const AngleTable& table, double cosine) {
   const double steps = static_cast<double>(table.size() - 1);
-  const double place = std::acos(std::clamp(cosine, 0.0, 1.0)) / (std::numbers::pi / 2) * steps;
+  const double place = math::acos(std::clamp(cosine, 0.0, 1.0)) / (std::numbers::pi / 2) * steps;
   const auto first = std::min(static_cast<std::size_t>(place), table.size() - 2);
   const double share = place - static_cast<double>(first);
   Vec3 out;
@@ -65,7 +66,7 @@ Vec3 seen_through(const Vec3& normal, double eta, const Vec3& passing, const Env
   const f64::vec3 from = f64::beyond_ball({normal[0], normal[1], normal[2]}, {0, 0, 1}, eta);
   Vec3 out = around.specular({from.x, from.y, from.z}, gloss);
   const double way = f64::cosine_in_ball(normal[2], eta);  // inside of the ball, in diameters
-  for (std::size_t c = 0; c < 3; ++c) out[c] *= std::pow(passing[c], way);
+  for (std::size_t c = 0; c < 3; ++c) out[c] *= math::pow(passing[c], way);
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include "core/brdf/models.h"
 #include "core/color/srgb.h"
 #include "core/material/seen_stack.h"
+#include "core/math/functions.h"
 #include "core/render/reference.h"
 
 namespace etak {
@@ -27,7 +28,7 @@ constexpr std::array light_angles{LightAngle{50, 120, 3.0}, LightAngle{100, 10, 
 Vec3 towards_light(const LightAngle& light) {
   constexpr double radian = std::numbers::pi / 180;
   const double away = light.from_viewer_deg * radian, turn = light.turn_deg * radian;
-  return {std::sin(away) * std::cos(turn), std::sin(away) * std::sin(turn), std::cos(away)};
+  return {math::sin(away) * math::cos(turn), math::sin(away) * math::sin(turn), math::cos(away)};
 }
 
 // The lobe of a model with the width of that gloss and F = 1.
@@ -109,7 +110,7 @@ std::vector<bool> sphere_pixels(int side) {
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
       out[index_of(side, x, y)] =
-          std::hypot((x + 0.5 - side / 2.0) * step, (y + 0.5 - side / 2.0) * step) <= 1 - step;
+          math::hypot((x + 0.5 - side / 2.0) * step, (y + 0.5 - side / 2.0) * step) <= 1 - step;
   return out;
 }
 
@@ -159,7 +160,7 @@ Image SphereTruth::picture(const Model& model, const SphereMaterial& material) c
   std::array<Vec3, light_angles.size()> f;
   for (std::size_t light = 0; light < f.size(); ++light)
     f[light] = SeenStack(*material.surface.optics)(
-        std::cos(light_angles[light].from_viewer_deg / 2 * std::numbers::pi / 180));
+        math::cos(light_angles[light].from_viewer_deg / 2 * std::numbers::pi / 180));
   for (std::size_t i = 0; i < out.pixel_count(); ++i)
     for (std::size_t c = 0; c < 3; ++c) {
       double sum = static_cast<double>(white_body_.values[4 * i + c]) * material.surface.diffuse[c];
@@ -227,7 +228,7 @@ double PictureErrors::rms_codes() const {
 }
 
 double PictureErrors::psnr_db() const {
-  return 20 * std::log10(255 / std::max(rms_codes(), 1e-6));
+  return 20 * math::log10(255 / std::max(rms_codes(), 1e-6));
 }
 
 }  // namespace etak

@@ -180,6 +180,28 @@ TEST_CASE("what differs between systems stands in the sources of core/base/syste
   CHECK(seen > 10);
 }
 
+TEST_CASE("elementary functions are those of core/math, whose digits no C library changes") {
+  const std::vector<std::string> names{"pow",   "exp",    "exp2",   "expm1", "log",  "log2",  "log10",
+                                       "log1p", "sin",    "cos",    "tan",   "asin", "acos",  "atan",
+                                       "atan2", "sinh",   "cosh",   "tanh",  "cbrt", "hypot", "erf",
+                                       "erfc",  "tgamma", "lgamma", "polar", "arg",  "proj"};
+  std::size_t ours = 0;
+  for (const auto& file : files_below("core")) {
+    if (file.folder == "math") continue;
+    for (const auto& line : file.lines) {
+      const std::string code = parts_of(line).code;
+      INFO(file.path << ": " << line);
+      for (std::size_t at = code.find("std::"); at != code.npos; at = code.find("std::", at + 1)) {
+        const std::size_t from = at + 5,
+                          end = code.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", from);
+        CHECK(std::find(names.begin(), names.end(), code.substr(from, end - from)) == names.end());
+      }
+      ours += contains(code, "math::") ? 1 : 0;
+    }
+  }
+  CHECK(ours > 200);
+}
+
 TEST_CASE(
     "files and folders are asked about by core/base/system alone: of std::filesystem others use paths") {
   // A system without files has std::filesystem::path, and neither operations nor streams of files.

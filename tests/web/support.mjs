@@ -74,10 +74,8 @@ export function comparing(name, options, work = options) {
 }
 
 /** The same line is answered with the same bytes and status by both, else the test fails; files are [path, bytes].
- *  `less` leaves out what need not be equal.
- *  `near` is how far numbers may be from each other, relative to the larger one or to `floor`, where they come of functions such as sine and
- *  power, in whose last digit C libraries differ. */
-export function sameAnswer(words, files = [], {cwd, stdin, near = 0, floor = 0, less = text => text} = {}) {
+ *  `less` leaves out what need not be equal. */
+export function sameAnswer(words, files = [], {cwd, stdin, less = text => text} = {}) {
   const here = etak.run(words, {files: new Map(files), stdin});
   const there = cwd !== undefined || files.length === 0
     ? nativeRun(words, {cwd, stdin})
@@ -85,16 +83,9 @@ export function sameAnswer(words, files = [], {cwd, stdin, near = 0, floor = 0, 
   const line = `etak ${words.join(' ')}`;
   if (here.status !== there.status) failures.push(`${line}: status ${here.status} in place of ${there.status}`);
   if (here.err !== there.err) failures.push(`${line}: standard error: ${firstDifference(here.err, there.err)}`);
-  if (Buffer.compare(here.outBytes, there.outBytes) !== 0 && less(here.out) !== less(there.out) &&
-      !(near > 0 && areNear(less(here.out), less(there.out), near, floor))) failures.push(`${line}: ${firstDifference(here.out, there.out)}`);
+  if (Buffer.compare(here.outBytes, there.outBytes) !== 0 && less(here.out) !== less(there.out))
+    failures.push(`${line}: ${firstDifference(here.out, there.out)}`);
   return here;
-}
-
-export function areNear(a, b, near, floor = 0) {
-  const number = /-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g, numbers = text => [...text.matchAll(number)].map(Number);
-  if (a.replaceAll(number, '#').replaceAll(/ +/g, ' ') !== b.replaceAll(number, '#').replaceAll(/ +/g, ' ')) return false;
-  const there = numbers(b);
-  return numbers(a).every((value, i) => value === there[i] || Math.abs(value - there[i]) <= near * Math.max(Math.abs(value), Math.abs(there[i]), floor));
 }
 
 function firstDifference(a, b) {

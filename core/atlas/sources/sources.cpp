@@ -17,6 +17,7 @@
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
 #include "core/material/find.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -116,8 +117,8 @@ void set_space(const RolePlace& at, const SpaceOpener& open_space, PlaneSource& 
     curve->linear = same;
     curve->apply = encode;
   } else if (space == "power-2.2") {
-    curve->linear = [](double v) { return std::pow(std::max(v, 0.0), 2.2); };
-    curve->apply = [](double v) { return srgb_encode(std::pow(std::max(v, 0.0), 2.2)); };
+    curve->linear = [](double v) { return math::pow(std::max(v, 0.0), 2.2); };
+    curve->apply = [](double v) { return srgb_encode(math::pow(std::max(v, 0.0), 2.2)); };
   } else {
     const std::string place = at.pointer() + "/space";
     if (!open_space)

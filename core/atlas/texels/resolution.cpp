@@ -13,6 +13,7 @@
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
 #include "core/image/wrap.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -110,7 +111,7 @@ Image unit_normals(const Image8& map) {
 
 double variance(std::span<const float> mean) {
   constexpr double least = 1e-3;  // of |N|: its variance makes a lobe wider than roughness 1
-  const double length = std::max(least, std::hypot(double{mean[0]}, double{mean[1]}, double{mean[2]}));
+  const double length = std::max(least, math::hypot(double{mean[0]}, double{mean[1]}, double{mean[2]}));
   return std::max(0.0, (1 - length) / length);
 }
 

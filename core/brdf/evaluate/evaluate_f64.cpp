@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/brdf/evaluate/evaluators.h"
+#include "core/math/functions.h"
 
 namespace etak::f64 {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/math/functions.h"
 #include "core/math/quadrature.h"
 
 namespace etak {
@@ -17,19 +18,19 @@ double sin_deg(double x) {
   const double r = std::remainder(x, 360);  // exact
   if (r == 0 || r == 180 || r == -180) return 0;
   if (r == 90 || r == -90) return r / 90;
-  return std::sin(r * (pi / 180));
+  return math::sin(r * (pi / 180));
 }
 
 // The half vectors at one polar angle, as a function of the azimuth, for one viewer.
 class Ring {
  public:
   Ring(const Vec3& v, double theta, const std::optional<Vec3>& half_space)
-      : v_(v), s_(std::sin(theta)), c_(std::cos(theta)), half_space_(half_space) {}
+      : v_(v), s_(math::sin(theta)), c_(math::cos(theta)), half_space_(half_space) {}
 
-  double vh(double phi) const { return v_[0] * s_ * std::cos(phi) + v_[2] * c_; }
+  double vh(double phi) const { return v_[0] * s_ * math::cos(phi) + v_[2] * c_; }
   Vec3 light(double phi) const {
     const double twice = 2 * vh(phi);
-    return {twice * s_ * std::cos(phi) - v_[0], twice * s_ * std::sin(phi), twice * c_ - v_[2]};
+    return {twice * s_ * math::cos(phi) - v_[0], twice * s_ * math::sin(phi), twice * c_ - v_[2]};
   }
 
   // The azimuths in [0, end] between which the integrand is smooth. They are where the light crosses the
@@ -43,7 +44,7 @@ class Ring {
     const auto add = [&](double vh) {
       const double cosine = (vh - v_[2] * c_) / slope;
       if (!(std::abs(cosine) < 1)) return;
-      const double phi = std::acos(cosine);
+      const double phi = math::acos(cosine);
       out.push_back(phi);
       if (end > pi) out.push_back(2 * pi - phi);
     };
@@ -115,7 +116,7 @@ double directional_albedo(const BrdfFunction& f, double theta_v_deg, const Albed
   const auto integrate = [&](double error) {
     const auto over_ring = [&](double theta) {
       const Ring ring(v, theta, options.half_space);
-      const double s = std::sin(theta);
+      const double s = math::sin(theta);
       const auto integrand = [&](double phi) {
         const double vh = ring.vh(phi);
         if (!(vh > 0)) return 0.0;

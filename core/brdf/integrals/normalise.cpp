@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/functions.h"
 #include "core/math/quadrature.h"
 
 namespace etak {
@@ -14,7 +15,7 @@ using std::numbers::pi;
 
 // (e^x - 1) / x, the mean of e^t for t from 0 to x.
 double mean_exponential(double x) {
-  return x == 0 ? 1 : std::expm1(x) / x;
+  return x == 0 ? 1 : math::expm1(x) / x;
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ double abc_norm(double a1, double a2) {
       term *= -(a2 + j) / (j + 1) * a1;
     }
   } else {
-    const double u = std::log1p(a1);
+    const double u = math::log1p(a1);
     integral = u * ((1 + a1) * mean_exponential((1 - a2) * u) - mean_exponential((2 - a2) * u)) / (a1 * a1);
   }
   return 1 / (2 * pi * integral);
@@ -42,8 +43,8 @@ double abc_norm(double a1, double a2) {
 // alpha^(1-p) e^-alpha times the integral of exp((1 - p) w - alpha (e^w - 1)) from 0. The logarithm of that
 // integrand is concave: it has one peak, and then falls faster than exponentially.
 double log_sgd_norm(double alpha, double p) {
-  const auto exponent = [&](double w) { return (1 - p) * w - alpha * std::expm1(w); };
-  const double peak = p < 1 ? std::max(0.0, std::log((1 - p) / alpha)) : 0;
+  const auto exponent = [&](double w) { return (1 - p) * w - alpha * math::expm1(w); };
+  const double peak = p < 1 ? std::max(0.0, math::log((1 - p) / alpha)) : 0;
   const double most = exponent(peak);
   // The place behind `from` where the integrand has fallen to e^-45 of its peak.
   const auto drop = [&](double from, double step) {
@@ -57,9 +58,9 @@ double log_sgd_norm(double alpha, double p) {
   constexpr int panels = 256;
   double sum = 0;
   for (int i = 0; i < panels; ++i)
-    sum += gauss_legendre<16>([&](double w) { return std::exp(exponent(w) - most); }, end * i / panels,
+    sum += gauss_legendre<16>([&](double w) { return math::exp(exponent(w) - most); }, end * i / panels,
                               end * (i + 1) / panels);
-  return -(std::log(sum) + most + (1 - p) * std::log(alpha) - alpha);
+  return -(math::log(sum) + most + (1 - p) * math::log(alpha) - alpha);
 }
 
 }  // namespace etak

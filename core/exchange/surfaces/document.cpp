@@ -11,12 +11,13 @@
 #include "core/color/colorspace.h"
 #include "core/color/srgb.h"
 #include "core/exchange/surfaces/models.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
 
 double signed_power(double value, double exponent) {
-  return std::copysign(std::pow(std::abs(value), exponent), value);
+  return std::copysign(math::pow(std::abs(value), exponent), value);
 }
 double linear(double value) {
   return value;

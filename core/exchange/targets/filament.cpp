@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/exchange/targets/target.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -12,7 +13,7 @@ LinearRgb absorption_of(const ClearBody& body) {
   // Against the infinity of a channel that nothing passes, or that is out of gamut.
   constexpr double darkest = 1e-6;
   const auto channel = [&](double c) {
-    return std::max(0.0, -std::log(std::max(c, darkest)) / body.depth_m);
+    return std::max(0.0, -math::log(std::max(c, darkest)) / body.depth_m);
   };
   return {channel(body.color.r), channel(body.color.g), channel(body.color.b)};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/text/text.h"
 #include "core/exchange/targets/rgb_index.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 // (fresneltexture.cpp, GeneralEvaluate), whose angle inside is that of a body without k.
 double luxcore_f(double n, double k, double cosine) {
   const double sine2 = std::min((1 - cosine * cosine) / (n * n), 1.0), cosine2 = 1 - sine2;
-  const double a = 2 * k * k * sine2, inside2 = (cosine2 + std::hypot(cosine2, a)) / 2;
+  const double a = 2 * k * k * sine2, inside2 = (cosine2 + math::hypot(cosine2, a)) / 2;
   const double size = n * n + k * k, cross = 2 * cosine * std::sqrt(inside2) * n;
   const double p = size * cosine * cosine + inside2, s = size * inside2 + cosine * cosine;
   return ((p - cross) / (p + cross) + (s - cross) / (s + cross)) / 2;

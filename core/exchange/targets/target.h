@@ -15,6 +15,7 @@
 #include "core/exchange/export_coat.h"
 #include "core/exchange/material_x.h"
 #include "core/fresnel/fresnel.h"
+#include "core/math/functions.h"
 
 namespace etak {
 
@@ -84,7 +85,7 @@ struct TargetJob {
   void shows_schlick(const LinearRgb& f0, double f90 = 1) const {
     shows([&](double cosine) {
       Vec3 f = vec(f0);
-      for (double& channel : f) channel += (f90 - channel) * std::pow(1 - cosine, 5);
+      for (double& channel : f) channel += (f90 - channel) * math::pow(1 - cosine, 5);
       return f;
     });
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/exchange/targets/gltf_fields.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -15,7 +16,7 @@ void write_threejs(const TargetJob& j) {
     j.add("iridescenceThicknessRange", {nm}, "[" + number(nm, digits) + ", " + number(nm, digits) + "]");
   });
   // The power of Schlick's curve as its shaders have it, by an exponential of a Gaussian.
-  const auto curve = [](double cosine) { return std::exp2((-5.55473 * cosine - 6.98316) * cosine); };
+  const auto curve = [](double cosine) { return math::exp2((-5.55473 * cosine - 6.98316) * cosine); };
   j.below({0, {1, 1, 1}, false, curve}).shows([&](double cosine) {
     Vec3 out = vec(f0);
     for (double& channel : out) channel += (1 - channel) * curve(cosine);

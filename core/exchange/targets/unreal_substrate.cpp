@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/exchange/targets/target.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -7,7 +8,7 @@ namespace {
 // The F90 of each channel, in [0, 1], with which Schlick's curve comes nearest to the known edge.
 LinearRgb nearest_f90(const TargetJob& j, const LinearRgb& f0) {
   if (!j.s.f82) return {1, 1, 1};
-  const double weight = std::pow(1 - f82_cosine, 5);
+  const double weight = math::pow(1 - f82_cosine, 5);
   Vec3 f90{}, seen{};
   for (std::size_t c = 0; c < 3; ++c) {
     const double head_on = vec(f0)[c];
@@ -29,7 +30,7 @@ void write_substrate(const TargetJob& j) {
   if (mean < 0.02) j.note("an F0 below 0.02 is taken as shadow: F90 fades with 50 F0");
   j.shows([&](double cosine) {
     Vec3 out = vec(f0);
-    for (std::size_t c = 0; c < 3; ++c) out[c] += (fade * vec(f90)[c] - out[c]) * std::pow(1 - cosine, 5);
+    for (std::size_t c = 0; c < 3; ++c) out[c] += (fade * vec(f90)[c] - out[c]) * math::pow(1 - cosine, 5);
     return out;
   });
   j.note_no_transmission("SSS MFP and Blend Mode Translucent tell");

@@ -11,6 +11,7 @@
 #include "core/color/colorspace.h"
 #include "core/color/srgb.h"
 #include "core/image/files/png_chunks.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -59,7 +60,7 @@ std::optional<Curve> table_curve(std::string_view tag) {
   if (count > (tag.size() - 12) / 2) return std::nullopt;
   if (count == 0) return sampled([](double x) { return x; });
   if (count == 1)
-    return sampled([exponent = half_word(tag, 12) / 256.0](double x) { return std::pow(x, exponent); });
+    return sampled([exponent = half_word(tag, 12) / 256.0](double x) { return math::pow(x, exponent); });
   return sampled([&](double x) {
     const double place = x * static_cast<double>(count - 1);
     const std::size_t left = std::min(static_cast<std::size_t>(place), count - 2);
@@ -83,7 +84,7 @@ std::optional<Curve> formula_curve(std::string_view tag) {
     e = f = c;
     c = 0;
   }
-  return sampled([=](double x) { return x >= d ? std::pow(a * x + b, g) + e : c * x + f; });
+  return sampled([=](double x) { return x >= d ? math::pow(a * x + b, g) + e : c * x + f; });
 }
 
 std::optional<Curve> curve_of(std::string_view tag) {
@@ -105,8 +106,8 @@ bool is_like(const Curve& curve, Function function) {
 std::string name_of(const Curve& curve) {
   if (is_like(curve, [](double x) { return srgb_decode(x); })) return "srgb";
   const double middle = curve[128];
-  const double exponent = middle > 0 && middle < 1 ? std::log(middle) / std::log(128.0 / 255) : 1;
-  if (is_like(curve, [&](double x) { return std::pow(x, exponent); })) return power_curve_name(1 / exponent);
+  const double exponent = middle > 0 && middle < 1 ? math::log(middle) / math::log(128.0 / 255) : 1;
+  if (is_like(curve, [&](double x) { return math::pow(x, exponent); })) return power_curve_name(1 / exponent);
   return "a curve of its own";
 }
 

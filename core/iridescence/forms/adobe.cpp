@@ -6,6 +6,7 @@
 
 #include "core/fresnel/fresnel.h"
 #include "core/iridescence/forms/rows.h"
+#include "core/math/functions.h"
 
 // OpenPBR as Adobe's own implementation has it, which other renderers take over. Unlike MaterialX's graph it takes the exact
 // reflectance of one film at three wavelengths, on a metal by Gulbrandsen's n and k. Their edge tint is set to F82's tint,
@@ -18,19 +19,31 @@ using Complex = std::complex<double>;
 
 constexpr Vec3 adobe_nm{620, 540, 450};
 
+// Those of <complex> differ between libraries in the last digits.
+Complex quotient(const Complex& a, const Complex& b) {
+  return a * std::conj(b) / std::norm(b);
+}
+Complex root(const Complex& z) {
+  const double size = math::hypot(z.real(), z.imag());
+  const double large = std::sqrt((size + std::abs(z.real())) / 2);
+  const double small = large == 0 ? 0 : std::abs(z.imag()) / (2 * large);
+  return {z.real() < 0 ? small : large, std::copysign(z.real() < 0 ? large : small, z.imag())};
+}
+
 // One film of a real index of at least 1 in air, on a base of any index: the mean of s and p (Airy's sum).
 double adobe_airy(const Complex& base, double film, double thickness_nm, double nm, double cosine) {
   const double sine2 = 1 - cosine * cosine, inside = std::sqrt(std::max(1 - sine2 / (film * film), 0.0));
-  Complex under = std::sqrt(1.0 - sine2 / (base * base));
+  Complex under = root(1.0 - quotient(sine2, base * base));
   if ((base * under).imag() < 0) under = -under;
-  const Complex turn = std::polar(1.0, 4 * std::numbers::pi * film * thickness_nm * inside / nm);
+  const double angle = 4 * std::numbers::pi * film * thickness_nm * inside / nm;
+  const Complex turn{math::cos(angle), math::sin(angle)};
   const auto seen = [&](double outer, const Complex& inner) {
-    return std::norm((outer + inner * turn) / (1.0 + outer * inner * turn));
+    return std::norm(outer + inner * turn) / std::norm(1.0 + outer * inner * turn);
   };
   return (seen((cosine - film * inside) / (cosine + film * inside),
-               (film * inside - base * under) / (film * inside + base * under)) +
+               quotient(film * inside - base * under, film * inside + base * under)) +
           seen((film * cosine - inside) / (film * cosine + inside),
-               (base * inside - film * under) / (base * inside + film * under))) /
+               quotient(base * inside - film * under, base * inside + film * under))) /
          2;
 }
 

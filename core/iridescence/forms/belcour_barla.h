@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/functions.h"
 #include "core/math/mat3.h"
 
 namespace etak {
@@ -22,8 +23,8 @@ inline Vec3 wave_seen(double path_nm, const Vec3& shift) {
                    all = 1.0685e-7;
   const double phase = 2 * std::numbers::pi * path_nm * 1e-9;
   const auto bump = [&](double high, double at, double wide, double by) {
-    return high * std::sqrt(2 * std::numbers::pi * wide) * std::cos(at * phase + by) *
-           std::exp(-wide * phase * phase);
+    return high * std::sqrt(2 * std::numbers::pi * wide) * math::cos(at * phase + by) *
+           math::exp(-wide * phase * phase);
   };
   Vec3 out{};
   for (std::size_t i = 0; i < 3; ++i) out[i] = bump(height[i], position[i], variance[i], shift[i]);

@@ -5,6 +5,7 @@
 #include "core/fresnel/fresnel.h"
 #include "core/iridescence/forms/belcour_barla.h"
 #include "core/iridescence/forms/rows.h"
+#include "core/math/functions.h"
 
 // The four forms of MaterialX 1.39.5: its nodes conductor_bsdf and generalized_schlick_bsdf, and its graph of OpenPBR,
 // where a metal is generalized_schlick_bsdf, a dielectric dielectric_bsdf, and the film's weight mixes with the bare base.
@@ -41,7 +42,7 @@ Vec3 airy(double index_asked, double thickness_nm, double cosine, const Base& ba
   const double inside = std::sqrt(1 - (1 - cosine * cosine) / (index * index));
   std::array<double, 2> outer = real_interface(cosine, index);
   if (inside <= 0) outer = {1, 1};
-  const double brewster = std::cos(std::atan(index));
+  const double brewster = math::cos(math::atan(index));
   const std::array<double, 2> outer_phase{cosine < brewster ? 0 : pi, pi};
   const BothWaves waves = base(inside);
   Vec3 xyz{};
@@ -95,18 +96,19 @@ BothWaves index_waves(const double* n, const double* k, double film_index, doubl
   const double c2 = inside * inside, s2 = 1 - c2;
   for (std::size_t c = 0; c < 3; ++c) {
     const double rn = n[c] / film_index, rk = k[c] / film_index;
-    const double t0 = rn * rn - rk * rk - s2, both = std::hypot(t0, 2 * rn * rk);
+    const double t0 = rn * rn - rk * rk - s2, both = math::hypot(t0, 2 * rn * rk);
     const double a = std::sqrt(std::max((both + t0) / 2, 0.0)), sum = both + c2, twice = 2 * a * inside;
     out[1].reflected[c] = (sum - twice) / (sum + twice);
     const double near = c2 * both + s2 * s2, across = twice * s2;
     out[0].reflected[c] = out[1].reflected[c] * (near - across) / (near + across);
     // The phases, with the extinction as a share of the index.
     const double e1 = film_index, n2 = n[c] * n[c], share = k[c] / n[c];
-    const double x = n2 * (1 - share * share) - e1 * e1 * s2, y = std::hypot(x, 2 * n2 * share);
+    const double x = n2 * (1 - share * share) - e1 * e1 * s2, y = math::hypot(x, 2 * n2 * share);
     const double u = std::sqrt((x + y) / 2), v = std::sqrt(std::max((y - x) / 2, 0.0));
-    out[1].phase[c] = std::atan2(2 * e1 * v * inside, u * u + v * v - e1 * e1 * c2);
-    out[0].phase[c] = std::atan2(2 * e1 * n2 * inside * (2 * share * u - (1 - share * share) * v),
-                                 std::pow(n2 * (1 + share * share) * inside, 2) - e1 * e1 * (u * u + v * v));
+    out[1].phase[c] = math::atan2(2 * e1 * v * inside, u * u + v * v - e1 * e1 * c2);
+    out[0].phase[c] =
+        math::atan2(2 * e1 * n2 * inside * (2 * share * u - (1 - share * share) * v),
+                    math::pow(n2 * (1 + share * share) * inside, 2) - e1 * e1 * (u * u + v * v));
   }
   return out;
 }

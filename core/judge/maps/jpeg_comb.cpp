@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/random.h"
+#include "core/math/functions.h"
 
 namespace etak {
 
@@ -25,7 +26,7 @@ const std::array<std::array<float, block_side>, 3>& cosines() {
       for (std::size_t x = 0; x < block_side; ++x)
         out[u][x] = static_cast<float>(
             (u == 0 ? std::sqrt(0.125) : 0.5) *
-            std::cos((2.0 * static_cast<double>(x) + 1) * static_cast<double>(u) * std::numbers::pi / 16));
+            math::cos((2.0 * static_cast<double>(x) + 1) * static_cast<double>(u) * std::numbers::pi / 16));
     return out;
   }();
   return table;
@@ -76,7 +77,7 @@ JpegComb JpegCombSearch::comb_of(const Grid& grid) {
         const double both = bins[middle + away] + bins[middle - away];
         if (both == 0) continue;
         count += both;
-        agreement += both * std::cos(2 * std::numbers::pi * i / (bins_a_code * step));
+        agreement += both * math::cos(2 * std::numbers::pi * i / (bins_a_code * step));
       }
       // The largest step is taken: its divisors fit as well.
       if (count < least_count || agreement / count < best - 0.02) continue;

@@ -12,6 +12,7 @@
 #include "core/base/random.h"
 #include "core/judge/maps/jpeg_comb.h"
 #include "core/judge/maps/other_content.h"
+#include "core/math/functions.h"
 
 namespace etak {
 
@@ -295,7 +296,7 @@ class NormalSurvey {
       if (mean >= varies) continue;
       ++out.varying;
       const double exponent = most_times * mean / (1 - mean);
-      out.narrow += std::pow(rough, 4) < 2 / (exponent + 2);
+      out.narrow += math::pow(rough, 4) < 2 / (exponent + 2);
     }
   }
 

@@ -6,6 +6,7 @@
 
 #include "core/color/luminance.h"
 #include "core/color/srgb.h"
+#include "core/math/functions.h"
 
 namespace etak {
 
@@ -14,7 +15,7 @@ double decode_of(TextureTransfer transfer, double encoded) {
     case TextureTransfer::srgb:
       return srgb_decode(encoded);
     case TextureTransfer::power_22:
-      return std::pow(encoded, 2.2);
+      return math::pow(encoded, 2.2);
     case TextureTransfer::linear:
       return encoded;
   }
@@ -26,7 +27,7 @@ double encode_of(TextureTransfer transfer, double linear) {
     case TextureTransfer::srgb:
       return srgb_encode(linear);
     case TextureTransfer::power_22:
-      return std::pow(linear, 1 / 2.2);
+      return math::pow(linear, 1 / 2.2);
     case TextureTransfer::linear:
       return linear;
   }

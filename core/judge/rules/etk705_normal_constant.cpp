@@ -4,6 +4,7 @@
 
 #include "core/base/number.h"
 #include "core/judge/rules/rows.h"
+#include "core/math/functions.h"
 
 namespace etak {
 
@@ -33,7 +34,7 @@ constinit const Rule etk705_normal_constant{
             std::to_string(codes[0]) + ' ' + std::to_string(codes[1]) + ' ' + std::to_string(codes[2]);
         finding.message = "every texel that was looked at is " + finding.value;
         const double x = map.normals.mean(0), y = map.normals.mean(1), z = map.normals.mean(2);
-        const double lean = std::atan2(std::hypot(x, y), z) * 180 / std::numbers::pi,
+        const double lean = math::atan2(math::hypot(x, y), z) * 180 / std::numbers::pi,
                      length = std::sqrt(x * x + y * y + z * z);
         const bool leans = lean > most_lean, has_length = std::abs(length - 1) > normal_tolerance;
         if (!leans && !has_length) return;

@@ -15,6 +15,7 @@
 #include "core/material/seen_stack.h"
 #include "core/material/stack.h"
 #include "core/material/stack_text.h"
+#include "core/math/functions.h"
 #include "core/pages/f0/report.h"
 
 namespace etak {
@@ -95,7 +96,7 @@ std::string film_strip(const FilmSweep& sweep, const F0Options& options) {
   for (std::size_t i = 0; i < count; ++i) {
     seen.set_thickness(sweep.layer - 1, sweep.thickness_nm[i]);
     for (int row = 0; row < rows; ++row) {
-      const LinearRgb color = to_rgb(seen(std::cos(row * angle_step * std::numbers::pi / 180)));
+      const LinearRgb color = to_rgb(seen(math::cos(row * angle_step * std::numbers::pi / 180)));
       // A little wider than it is, so that no background shows between neighbours.
       out += rect(picture_left + static_cast<double>(i) * cell, picture_top + row * cell_height, cell + 0.3,
                   cell_height + 0.3, hex(srgb_u8(color)));

@@ -5,6 +5,7 @@
 
 #include "core/base/text/text.h"
 #include "core/color/srgb.h"
+#include "core/math/functions.h"
 #include "core/pages/f0/page_parts.h"
 
 namespace etak {
@@ -36,7 +37,7 @@ void spread_out(Lane& lane) {
     Dot& dot = lane.dots[i];
     const auto is_free = [&](double offset) {
       for (std::size_t j = i; j-- > 0 && dot.x - lane.dots[j].x < spacing;)
-        if (std::hypot(dot.x - lane.dots[j].x, offset - lane.dots[j].offset) < spacing - 1e-6) return false;
+        if (math::hypot(dot.x - lane.dots[j].x, offset - lane.dots[j].offset) < spacing - 1e-6) return false;
       return true;
     };
     for (int step = 0;; ++step) {

@@ -19,6 +19,7 @@
 #include "core/material/find.h"
 #include "core/material/names.h"
 #include "core/material/quality.h"
+#include "core/math/functions.h"
 #include "core/pages/lists/sources_file.h"
 #include "core/study/choose/choose.h"
 
@@ -75,7 +76,7 @@ Computed computed(const MaterialLibrary& library, const SourceRow& row) {
   } else if (how == "gloss") {
     for (const std::string& g : rest) out.value.push_back(Gloss(numbers_of(g)[0]).exponent());
   } else if (how == "contrast") {
-    out.value = {rest.at(0) == "srgb" ? 1 / srgb_decode(1 / 255.0) : std::pow(255, 2.2)};
+    out.value = {rest.at(0) == "srgb" ? 1 / srgb_decode(1 / 255.0) : math::pow(255, 2.2)};
   } else if (how == "cost") {
     out.value = {shipped_costs().of(rest.at(0))};
   } else if (how == "lambert") {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/color/gloss.h"
+#include "core/math/functions.h"
 #include "core/math/quadrature.h"
 #include "core/render/ambient/engine_light.h"
 #include "core/render/ambient/light_samples.h"
@@ -35,10 +36,11 @@ std::vector<HalfVector> half_vectors(double around) {
   std::vector<HalfVector> out;
   for (double angle = first; angle < pi / 2; angle += step_at(angle + step_at(angle) / 2)) {
     // The first ring stands for the disc within it, too.
-    const double step = angle == first ? first / 2 * (1 + log_step) : step_at(angle), s = std::sin(angle);
+    const double step = angle == first ? first / 2 * (1 + log_step) : step_at(angle), s = math::sin(angle);
     for (std::size_t j = 0; j < azimuths; ++j) {
       const double phi = around * (double(j) + 0.5) / azimuths;
-      out.push_back({{s * std::cos(phi), s * std::sin(phi), std::cos(angle)}, s * step * 2 * pi / azimuths});
+      out.push_back(
+          {{s * math::cos(phi), s * math::sin(phi), math::cos(angle)}, s * step * 2 * pi / azimuths});
     }
   }
   return out;
@@ -82,7 +84,7 @@ Vec3 viewer_at(double nv) {
 }
 
 Vec3 turned(const Vec3& d, double azimuth) {
-  const double c = std::cos(azimuth), s = std::sin(azimuth);
+  const double c = math::cos(azimuth), s = math::sin(azimuth);
   return {d[0] * c - d[1] * s, d[0] * s + d[1] * c, d[2]};
 }
 
@@ -117,7 +119,7 @@ Vec3 body_albedo(const Model& model, const std::vector<double>& values, double n
     for (std::size_t j = 0; j < azimuths; ++j) {
       const double up = (1 + rule.node[i]) / 2, s = std::sqrt((1 - up) * (1 + up)),
                    phi = pi * (double(j) + 0.5) / azimuths;
-      pairs.add({s * std::cos(phi), s * std::sin(phi), up}, v, up * rule.weight[i] / 2 * 2 * pi / azimuths);
+      pairs.add({s * math::cos(phi), s * math::sin(phi), up}, v, up * rule.weight[i] / 2 * 2 * pi / azimuths);
     }
   pairs.evaluate(model, values.data());
   return pairs.sum();
@@ -139,7 +141,7 @@ bool any_follows(const Model& model, bool f0) {
 bool is_anisotropic(const Model& model, const std::vector<double>& values) {
   for (const double angle : {0.05, 0.3, 0.8})
     for (const double azimuth : {0.3, 1.2}) {
-      const Vec3 v = viewer_at(0.8), l = turned(viewer_at(std::cos(angle)), azimuth);
+      const Vec3 v = viewer_at(0.8), l = turned(viewer_at(math::cos(angle)), azimuth);
       double here[3], there[3];
       const auto at = [&](double turn, double rgb[3]) {
         const Vec3 a = turned(l, turn), b = turned(v, turn);
@@ -165,7 +167,7 @@ constexpr double straightest_fit = 0.98;
 // viewer r.
 double tilt_of(double angle, double nv) {
   const double s = std::sqrt((1 - nv) * (1 + nv));
-  return std::sin(angle) / (s * std::cos(angle) + std::sin(angle) * (1 - nv));
+  return math::sin(angle) / (s * math::cos(angle) + math::sin(angle) * (1 - nv));
 }
 
 Vec3 quadratic(const Vec3& at, const Vec3& values) {
@@ -223,8 +225,8 @@ void add_row(const Model& model, const std::vector<double>& values, AmbientTable
     take_samples(pairs, samples);
     // Half vectors around the normal are stretched by 1 / nv along the plane of normal and viewer, or narrowed across
     // it; a level is a factor of 2^0.75 in width. F narrows a lobe as much again.
-    last = fitted_probes(samples, first ? nullptr : &last, std::acos(seen),
-                         std::max(0.0, sharpest + 2 * std::log2(seen) / 0.75));
+    last = fitted_probes(samples, first ? nullptr : &last, math::acos(seen),
+                         std::max(0.0, sharpest + 2 * math::log2(seen) / 0.75));
     if (first) sharpest = std::ranges::min(last, {}, &Probe::level).level;
     for (std::size_t k = 0; k < probe_count; ++k) {
       const Vec3 probe{tilt_of(last[k].angle, seen), last[k].level, last[k].share};

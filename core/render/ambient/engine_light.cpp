@@ -4,6 +4,7 @@
 // (github.com/Unity-Technologies/Graphics); Khronos' glTF Sample Renderer (ibl.glsl) with Fdez-Aguera 2019, "A Multiple-Scattering
 // Microfacet Model for Real-Time Image Based Lighting".
 #include "core/render/ambient/engine_light.h"
+#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +33,13 @@ ScaleBias scale_bias(double nv, double alpha, bool karis) {
     const double u = (i + 0.5) / heights, nh = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u)),
                  s = std::sqrt((1 - nh) * (1 + nh));
     for (int j = 0; j < azimuths; ++j) {
-      const double vh = vx * s * std::cos(std::numbers::pi * (j + 0.5) / azimuths) + nv * nh,
+      const double vh = vx * s * math::cos(std::numbers::pi * (j + 0.5) / azimuths) + nv * nh,
                    nl = 2 * vh * nh - nv;
       if (!(vh > 0) || !(nl > 0)) continue;
       const double v = karis ? 0.25 / ((nl * (1 - k) + k) * (nv * (1 - k) + k))
                              : 0.5 / (nl * smith(nv, alpha) + nv * smith(nl, alpha));
       const double share = 4 * v * nl * vh / nh / (heights * azimuths),
-                   rise = std::pow(1 - std::min(vh, 1.0), 5);
+                   rise = math::pow(1 - std::min(vh, 1.0), 5);
       out.scale += share * (1 - rise);
       out.bias += share * rise;
     }
@@ -79,14 +80,14 @@ EngineLight filament(double nv, double alpha, const Vec3& f0) {
 }
 
 EngineLight unity_urp(double nv, double alpha, const Vec3& f0) {
-  const double rise = std::pow(1 - nv, 4),
+  const double rise = math::pow(1 - nv, 4),
                grazing = std::clamp(1 - std::sqrt(alpha) + largest_of(f0), 0.0, 1.0);
   return {each_channel(f0, [&](double f) { return std::lerp(f, grazing, rise) / (alpha * alpha + 1); }), {}};
 }
 
 EngineLight gltf(double nv, double alpha, const Vec3& f0) {
   const ScaleBias table = scale_bias(nv, alpha, false);
-  const double lost = 1 - table.whole(), rise = std::pow(1 - nv, 5), smooth = 1 - std::sqrt(alpha);
+  const double lost = 1 - table.whole(), rise = math::pow(1 - nv, 5), smooth = 1 - std::sqrt(alpha);
   const Vec3 out = each_channel(f0, [&](double f) {
     const double once = (f + (std::max(smooth, f) - f) * rise) * table.scale + table.bias,
                  mean = f + (1 - f) / 21;

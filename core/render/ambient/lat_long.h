@@ -7,6 +7,7 @@
 
 #include "core/color/luminance.h"
 #include "core/image/image.h"
+#include "core/math/functions.h"
 #include "core/math/mat3.h"
 
 namespace etak {
@@ -18,9 +19,15 @@ inline double luminance_at(const Image& map, int x, int y) {
   return luminance_of<double>(rgb[0], rgb[1], rgb[2]);
 }
 
-inline Vec3 direction_at(double u, double v) {
-  const double phi = 2 * std::numbers::pi * (u - 0.5), theta = std::numbers::pi * v;
-  return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
+/// A row of a map by its sine and cosine, which all directions of the row share.
+struct MapRow {
+  explicit MapRow(double v)
+      : sine(math::sin(std::numbers::pi * v)), cosine(math::cos(std::numbers::pi * v)) {}
+  double sine, cosine;
+};
+inline Vec3 direction_at(double u, const MapRow& row) {
+  const double phi = 2 * std::numbers::pi * (u - 0.5);
+  return {row.sine * math::sin(phi), row.cosine, -row.sine * math::cos(phi)};
 }
 
 struct MapPlace {
@@ -28,8 +35,8 @@ struct MapPlace {
 };
 inline MapPlace place_of(const Vec3& d) {
   // Both angles are computed by atan2, because acos loses digits towards the poles.
-  return {0.5 + std::atan2(d[0], -d[2]) / (2 * std::numbers::pi),
-          std::atan2(std::sqrt(d[0] * d[0] + d[2] * d[2]), d[1]) / std::numbers::pi};
+  return {0.5 + math::atan2(d[0], -d[2]) / (2 * std::numbers::pi),
+          math::atan2(std::sqrt(d[0] * d[0] + d[2] * d[2]), d[1]) / std::numbers::pi};
 }
 
 // The bilinear value at a place. Columns wrap around; rows end at the poles.
@@ -51,8 +58,8 @@ inline Vec3 look_up(const Image& map, const MapPlace& place) {
 
 // The solid angle of a pixel in `row` of a map, in sr.
 inline double solid_angle(const Image& map, int row) {
-  const double top = std::cos(std::numbers::pi * row / map.height),
-               bottom = std::cos(std::numbers::pi * (row + 1) / map.height);
+  const double top = math::cos(std::numbers::pi * row / map.height),
+               bottom = math::cos(std::numbers::pi * (row + 1) / map.height);
   return 2 * std::numbers::pi / map.width * (top - bottom);
 }
 

@@ -39,8 +39,9 @@ std::vector<LightSamples::Bright> bright_lights(const Image& bright) {
                  along = (in_row - before) / (first[x] - before);
     const auto rgb = bright.at(int(x), int(y));
     const double factor = total / bright_count / luminance_at(bright, int(x), int(y));
-    out.push_back({direction_at((double(x) + along) / bright.width, (double(y) + down) / bright.height),
-                   scaled({rgb[0], rgb[1], rgb[2]}, factor)});
+    out.push_back(
+        {direction_at((double(x) + along) / bright.width, MapRow((double(y) + down) / bright.height)),
+         scaled({rgb[0], rgb[1], rgb[2]}, factor)});
   }
   return out;
 }

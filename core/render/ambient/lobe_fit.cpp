@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/math/functions.h"
 #include "core/math/solve.h"
 #include "core/render/ambient/round_lobe.h"
 
@@ -27,7 +28,7 @@ const std::array<double, planes>& plane_angles() {
   static const auto angles = [] {
     std::array<double, planes> out{};
     for (std::size_t i = 0; i < planes; ++i)
-      out[i] = std::atan(first_tangent * std::pow(next_tangent, double(i)));
+      out[i] = math::atan(first_tangent * math::pow(next_tangent, double(i)));
     return out;
   }();
   return angles;
@@ -37,8 +38,8 @@ const std::array<double, planes>& plane_angles() {
 std::size_t passed(float tangent, bool behind) {
   if (behind) return planes;
   if (!(tangent > float(first_tangent))) return 0;
-  static const float scale = 1 / std::log2(float(next_tangent));
-  const float at = (std::log2(tangent) - std::log2(float(first_tangent))) * scale;
+  static const float scale = 1 / math::log2(float(next_tangent));
+  const float at = (math::log2(tangent) - math::log2(float(first_tangent))) * scale;
   return std::min(planes, static_cast<std::size_t>(at) + 1);
 }
 
@@ -57,12 +58,12 @@ LobeShares shares_of(std::span<const LobeSample> samples) {
       along += weight * s.along;
       up += weight * s.up;
     }
-    out.middle = std::atan2(double(along), double(up));
-    x = float(std::sin(out.middle));
-    z = float(std::cos(out.middle));
+    out.middle = math::atan2(double(along), double(up));
+    x = float(math::sin(out.middle));
+    z = float(math::cos(out.middle));
     nearest = 0.02f;
   }
-  const float c = float(std::cos(out.middle)), sine = float(std::sin(out.middle));
+  const float c = float(math::cos(out.middle)), sine = float(math::sin(out.middle));
   std::array<std::array<double, planes + 1>, 3> bins{};
   for (const LobeSample& s : samples) {
     if (!(s.weight > 0)) continue;
@@ -130,7 +131,7 @@ Residuals residuals(const LobeShares& lobe, const Unknowns& x, const Unknowns& s
       const double off = p.angle - lobe.middle;
       up += p.share * share_beyond(p.level, off - angles[i]);
       down += p.share * share_beyond(p.level, -off - angles[i]);
-      across += p.share * share_beyond(p.level, -std::asin(std::sin(angles[i]) * std::cos(off)));
+      across += p.share * share_beyond(p.level, -math::asin(math::sin(angles[i]) * math::cos(off)));
     }
     out[i] = up - lobe.along[i];
     out[planes + i] = down - lobe.along[planes + i];

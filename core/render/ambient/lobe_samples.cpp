@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/functions.h"
 #include "core/math/mat3.h"
 #include "core/render/lobe_density.h"
 
@@ -33,9 +34,9 @@ std::vector<CellPoint> cell_points(const LobeDensity& density, std::vector<int>&
   constexpr double first = 1e-4;
   std::vector<double> angles{0}, places{0};  // places: in a measure by which rings are equally wide
   for (int i = 0; i <= nodes; ++i) {
-    const double angle = first * std::pow(pi / 2 / first, double(i) / nodes);
+    const double angle = first * math::pow(pi / 2 / first, double(i) / nodes);
     const double middle = (angle + angles.back()) / 2;
-    places.push_back(places.back() + std::pow(density.pdf(middle), 0.25) * (angle - angles.back()));
+    places.push_back(places.back() + math::pow(density.pdf(middle), 0.25) * (angle - angles.back()));
     angles.push_back(angle);
   }
   const auto angle_at = [&](double share) {
@@ -49,16 +50,16 @@ std::vector<CellPoint> cell_points(const LobeDensity& density, std::vector<int>&
     const double inner = angle_at(double(ring) / rings), outer = angle_at((ring + 1.0) / rings);
     if (ring_sectors.size() == std::size_t(ring))
       ring_sectors.push_back(static_cast<int>(
-          std::clamp(2 * pi * std::sin((inner + outer) / 2) / std::max(outer - inner, 1e-9), 3.0, 32.0) +
+          std::clamp(2 * pi * math::sin((inner + outer) / 2) / std::max(outer - inner, 1e-9), 3.0, 32.0) +
           0.5));
     const int sectors = ring_sectors[std::size_t(ring)];
     for (int i = 0; i < sectors * each; ++i) {
       const int step = i % each / steps;
       const double from = angle_at((ring + double(step) / steps) / rings),
-                   to = angle_at((ring + (step + 1.0) / steps) / rings), s = std::sin((from + to) / 2);
+                   to = angle_at((ring + (step + 1.0) / steps) / rings), s = math::sin((from + to) / 2);
       const double azimuth = 2 * pi * (i / each + 0.5 * (ring % 2) + (i % steps + 0.5) / steps) / sectors;
-      out.push_back({{s * std::cos(azimuth), s * std::sin(azimuth), std::cos((from + to) / 2)},
-                     (std::cos(from) - std::cos(to)) * 2 * pi / (sectors * steps)});
+      out.push_back({{s * math::cos(azimuth), s * math::sin(azimuth), math::cos((from + to) / 2)},
+                     (math::cos(from) - math::cos(to)) * 2 * pi / (sectors * steps)});
     }
   }
   return out;
@@ -67,7 +68,7 @@ std::vector<CellPoint> cell_points(const LobeDensity& density, std::vector<int>&
 double level_of_mean(double cosine) {
   // The level of the mean of round lobes whose exponent is above 16, within 0.01 of a level.
   const double exponent = 4 / std::max(1 - cosine, 1e-9) - 6.5;
-  return std::clamp((12 - std::log2(std::max(exponent, 1.0))) / 1.5, sharpest_sample, dullest_sample);
+  return std::clamp((12 - math::log2(std::max(exponent, 1.0))) / 1.5, sharpest_sample, dullest_sample);
 }
 
 // What each half vector sends to a viewer: the direction that the light comes from, the weight of f_r, and f_r behind
@@ -88,7 +89,7 @@ struct Reflected {
 //   v         viewer in the frame of the half vectors, which is turned by `azimuth` about the normal
 void reflect(const Model& model, const std::vector<double>& values, const std::vector<CellPoint>& halves,
              const Vec3& v, double azimuth, Reflected& out) {
-  const double turn_cos = std::cos(azimuth), turn_sin = std::sin(azimuth);
+  const double turn_cos = math::cos(azimuth), turn_sin = math::sin(azimuth);
   for (std::size_t i = 0; i < halves.size(); ++i) {
     const Vec3& h = halves[i].h;
     const double vh = dot(h, v);

@@ -10,6 +10,7 @@
 #include "core/base/clones.h"
 #include "core/base/parallel.h"
 #include "core/color/gloss.h"
+#include "core/math/functions.h"
 #include "core/render/ambient/lat_long.h"
 #include "core/render/ambient/round_lobe.h"
 
@@ -61,9 +62,10 @@ Image summed(const Image& seen, int width, double least, unsigned threads, Weigh
   // Pixels i * phases + p of a row lie alike for all i below `alike`.
   const int alike = std::gcd(width, seen.width), phases = width / alike, stride = seen.width / alike;
   const Runs runs(seen, stride);
-  const double reach = std::acos(std::clamp(least, -1.0, 1.0));
+  const double reach = math::acos(std::clamp(least, -1.0, 1.0));
   const auto row_of = [&](int row) {
-    const double v = (row + 0.5) / out.height, sine = std::sin(pi * v), cosine = std::cos(pi * v);
+    const double v = (row + 0.5) / out.height;
+    const MapRow angles(v);
     std::array<std::vector<double>, 3> sums;
     for (auto& each : sums) each.resize(static_cast<std::size_t>(width));
     std::vector<double> totals(static_cast<std::size_t>(phases));
@@ -72,17 +74,17 @@ Image summed(const Image& seen, int width, double least, unsigned threads, Weigh
     const int last_row = std::min(seen.height, static_cast<int>(std::ceil(middle + rows)) + 1);
     for (int y = first_row; y < last_row; ++y) {
       const double theta = pi * (y + 0.5) / seen.height, omega = solid_angle(seen, y);
-      const double across = sine * std::sin(theta), along = cosine * std::cos(theta);
+      const double across = angles.sine * math::sin(theta), along = angles.cosine * math::cos(theta);
       // Columns whose cosine may be above `least`: those with cos(difference) above (least - along) / across.
       if (across + along <= least) continue;
-      const double side = std::acos(std::clamp((least - along) / std::max(across, 1e-300), -1.0, 1.0));
+      const double side = math::acos(std::clamp((least - along) / std::max(across, 1e-300), -1.0, 1.0));
       const int half = std::min(seen.width / 2, static_cast<int>(side / (2 * pi) * seen.width) + 2);
       const int columns = std::min(seen.width, 2 * half + 1);
       for (int p = 0; p < phases; ++p) {
         const double place = (p + 0.5) * seen.width / width;
         const int nearest = static_cast<int>(std::floor(place));
         for (int k = nearest - half; k < nearest - half + columns; ++k) {
-          const double c = across * std::cos(2 * pi * (k + 0.5 - place) / seen.width) + along;
+          const double c = across * math::cos(2 * pi * (k + 0.5 - place) / seen.width) + along;
           if (c <= least) continue;
           const double w = weight(c) * omega;
           totals[static_cast<std::size_t>(p)] += w;
@@ -95,7 +97,7 @@ Image summed(const Image& seen, int width, double least, unsigned threads, Weigh
       const auto at = static_cast<std::size_t>(x % phases * alike + x / phases);
       const Vec3 sum{sums[0][at], sums[1][at], sums[2][at]};
       const Vec3 value =
-          finish(direction_at((x + 0.5) / width, v), sum, totals[static_cast<std::size_t>(x % phases)]);
+          finish(direction_at((x + 0.5) / width, angles), sum, totals[static_cast<std::size_t>(x % phases)]);
       for (std::size_t i = 0; i < 3; ++i) out.at(x, row)[i] = static_cast<float>(value[i]);
     }
   };
@@ -107,7 +109,7 @@ Image summed(const Image& seen, int width, double least, unsigned threads, Weigh
 // round_lobe() as a table over the cosines that matter, linear between 2048 steps.
 class LobeWeight {
  public:
-  explicit LobeWeight(double e) : least_(std::max(0.0, 2 * std::exp2(std::log2(1e-4) * 2 / e) - 1)) {
+  explicit LobeWeight(double e) : least_(std::max(0.0, 2 * math::exp2(math::log2(1e-4) * 2 / e) - 1)) {
     for (int i = 0; i <= steps; ++i) {
       const double c = least_ + (1 - least_) * i / steps;
       values_.push_back(round_lobe(e, c));
@@ -134,7 +136,7 @@ Image lobe_map(const Image& map, double gloss, double widest, unsigned threads, 
   // A pixel of the result spans half the width of the lobe, and a pixel of the summed map spans about a quarter:
   // so that it has once or twice as many columns as the result, which summed() is quick with.
   const double wanted = std::clamp(6.3 * std::sqrt(e), 32.0, widest);
-  const int width = 1 << static_cast<int>(std::ceil(std::log2(wanted)));
+  const int width = 1 << static_cast<int>(std::ceil(math::log2(wanted)));
   const int times = static_cast<int>(std::ceil(2 * wanted / width - 0.25));
   const Image seen = at_most(map, std::min(times * width, most));
   const LobeWeight weight(e);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/color/gloss.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -40,12 +41,12 @@ Shares shares_of(int level) {
   for (int i = 0; i < rings; ++i) {
     // Rings around the axis, densest near to it.
     const double t = (i + 0.5) / rings, away = pi / 2 * t * t * t;
-    const double weight = round_lobe(e, std::cos(away)) * std::sin(away) * t * t;
+    const double weight = round_lobe(e, math::cos(away)) * math::sin(away) * t * t;
     total += weight;
     for (std::size_t j = 0; j <= share_steps; ++j) {
       const double u = static_cast<double>(j) / out.scale();
       const double angle = std::min(u / (1 - u) * out.width, pi / 2 - 1e-9);
-      sums[j] += weight * std::acos(std::clamp(-std::tan(angle) / std::tan(away), -1.0, 1.0)) / pi;
+      sums[j] += weight * math::acos(std::clamp(-math::tan(angle) / math::tan(away), -1.0, 1.0)) / pi;
     }
   }
   for (std::size_t j = 0; j <= share_steps; ++j) out.values[j] = sums[j] / total;
@@ -56,7 +57,7 @@ Shares shares_of(int level) {
 }  // namespace
 
 double round_lobe(double e, double c) {
-  return c > 0 ? std::exp2((e / 2 - 1) * std::log2((1 + c) / 2)) * c : 0;
+  return c > 0 ? math::exp2((e / 2 - 1) * math::log2((1 + c) / 2)) * c : 0;
 }
 
 double share_beyond(double level, double angle) {

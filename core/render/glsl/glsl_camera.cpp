@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/functions.h"
 #include "core/render/backdrop.h"
 #include "core/render/environment.h"
 
@@ -30,7 +31,7 @@ void fan(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere) 
   if (!sphere && scene.perspective) return;  // the square may be anywhere in the picture
   const int corners = sphere || camera.turned() ? 32 : 4;
   const double reach = (sphere ? 1 : std::sqrt(2.0)) + 2 * camera.pixel();
-  const double radius = reach / (corners == 4 ? 1 : std::cos(std::numbers::pi / corners)) / camera.pixel();
+  const double radius = reach / (corners == 4 ? 1 : math::cos(std::numbers::pi / corners)) / camera.pixel();
   glue.text.corners = corners;
   place_fan(glue, scene, camera, radius, corners);
 }
@@ -45,7 +46,7 @@ void ring(GlslGlue& glue, const Scene& scene, const Camera& camera) {
   const double w = scene.width / 2.0, h = scene.height / 2.0;
   const double farthest =
       std::abs(camera.centre_column() / w - 1) + std::abs(1 - camera.centre_row() / h) + 2;
-  const double least = radius / std::max(w, h) * std::cos(std::numbers::pi / ring_corners);
+  const double least = radius / std::max(w, h) * math::cos(std::numbers::pi / ring_corners);
   glue.vertex_uniform({"ring_factor", 1, 1, false, {static_cast<float>(farthest / least)}});
   glue.text.ring = true;
   glue.text.corners = 2 * (ring_corners + 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/glsl/glsl_lights.h"
+#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +76,8 @@ std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights, bo
     uniforms("spot_intensity", 3, of, strength);
     uniforms("spot_back", 3, of, towards);
     uniforms("spot_cosines", 2, of, [](std::vector<float>& out, const Light& light) {
-      out.push_back(static_cast<float>(std::cos(light.inner_deg * degree)));
-      out.push_back(static_cast<float>(std::cos(light.outer_deg * degree)));
+      out.push_back(static_cast<float>(math::cos(light.inner_deg * degree)));
+      out.push_back(static_cast<float>(math::cos(light.outer_deg * degree)));
     });
     code +=
         loop(of.size()) + arriving("spot") +

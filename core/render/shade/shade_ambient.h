@@ -96,7 +96,7 @@ inline vec3 seen_by_sample(const LightSamples& light, const vec3& d, real level)
 // The row of samples of the point `i` of a chunk.
 inline int sample_row(const LobeSamples& samples, const Chunk& c, std::size_t i, real gloss) {
   if (!samples.by_azimuth) return int(clamp(gloss, real(0), real(1)) * real(samples.rows - 1) + real(0.5));
-  const real half_turns = std::atan2(c.local_viewer[1][i], c.local_viewer[0][i]) / real(std::numbers::pi);
+  const real half_turns = math::atan2(c.local_viewer[1][i], c.local_viewer[0][i]) / real(std::numbers::pi);
   return (int(std::floor(half_turns * real(samples.rows) + real(0.5))) + samples.rows) % samples.rows;
 }
 

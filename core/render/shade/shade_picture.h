@@ -71,7 +71,7 @@ struct Shading {
       lights.push_back({directional, light.kind == LightKind::spot, real(light.position[0]),
                         real(light.position[1]), real(light.position[2]), real(sign * light.direction[0]),
                         real(sign * light.direction[1]), real(sign * light.direction[2]),
-                        real(std::cos(light.inner_deg * radian)), real(std::cos(light.outer_deg * radian)),
+                        real(math::cos(light.inner_deg * radian)), real(math::cos(light.outer_deg * radian)),
                         narrowed({light.color[0] * power, light.color[1] * power, light.color[2] * power}),
                         real(hx / length), real(hy / length), real(hz / length), length / 2});
     }
@@ -199,7 +199,7 @@ void bend_normals(const Shading& shading, Chunk& c) {
     const std::array<double, 4> m = texel(map, u, v);
     const Vec3 n{double(c.normal[0][i]), double(c.normal[1][i]), double(c.normal[2][i])},
         viewer{double(c.viewer[0][i]), double(c.viewer[1][i]), double(c.viewer[2][i])};
-    const double length = std::hypot(n[0], n[2]);
+    const double length = math::hypot(n[0], n[2]);
     const Vec3 t = length < 1e-6 ? Vec3{1, 0, 0} : Vec3{n[2] / length, 0, -n[0] / length};
     const Vec3 b = cross(n, t);
     Vec3 bent{};

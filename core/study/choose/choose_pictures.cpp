@@ -11,6 +11,7 @@
 #include "core/fresnel/fresnel.h"
 #include "core/material/f0.h"
 #include "core/material/seen_stack.h"
+#include "core/math/functions.h"
 #include "core/render/reference.h"
 #include "core/study/choose/choose_models.h"
 
@@ -21,7 +22,7 @@ constexpr int plain_side = 128, textured_side = 48;
 constexpr double first_level = -1, level_step = 0.5, last_level = 8;
 
 Vec3 unit(const Vec3& v) {
-  const double length = std::hypot(v[0], v[1], v[2]);
+  const double length = math::hypot(v[0], v[1], v[2]);
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
@@ -82,7 +83,7 @@ const ChoosePictures::Pixels& ChoosePictures::pixels_of(TextureFilter filter) co
   for (double level = first_level; level <= last; level += level_step) {
     // The sphere lies over the middle of the texture, `texels` texels to a pixel. Beyond its edges the
     // texture repeats.
-    const double texels = std::exp2(level);
+    const double texels = math::exp2(level);
     for (int j = 0; j < side; ++j)
       for (int i = 0; i < side; ++i) {
         const double x = 2 * (i + 0.5) / side - 1, y = 1 - 2 * (j + 0.5) / side, r2 = x * x + y * y;

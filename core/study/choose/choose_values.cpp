@@ -13,6 +13,7 @@
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/material/appearance.h"
+#include "core/math/functions.h"
 #include "core/study/choose/choose.h"
 
 namespace etak {
@@ -21,7 +22,7 @@ namespace {
 // `value` rounded up to three digits, so that a budget of the printed number can be met.
 std::string rounded_up(double value) {
   if (!(value > 0)) return number(value, 3);
-  const double step = std::pow(10, std::floor(std::log10(value)) - 2);
+  const double step = math::pow(10, std::floor(math::log10(value)) - 2);
   return number(std::ceil(value / step) * step, 3);
 }
 

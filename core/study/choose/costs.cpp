@@ -11,6 +11,7 @@
 #include "core/image/files/png.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
+#include "core/math/functions.h"
 #include "core/render/glsl/gl_runner.h"
 #include "core/study/choose/choose_models.h"
 #include "core/study/error_time.h"
@@ -41,8 +42,8 @@ struct Batch {
       for (std::size_t d = 0; d < 6; d += 3) {
         const double z = random.uniform(0.05, 1), phi = random.uniform(0, 6.283185307179586),
                      s = std::sqrt(1 - z * z);
-        directions[d][i] = static_cast<float>(s * std::cos(phi));
-        directions[d + 1][i] = static_cast<float>(s * std::sin(phi));
+        directions[d][i] = static_cast<float>(s * math::cos(phi));
+        directions[d + 1][i] = static_cast<float>(s * math::sin(phi));
         directions[d + 2][i] = static_cast<float>(z);
       }
   }
@@ -62,7 +63,7 @@ std::shared_ptr<const Image8> some_texture(int width, int height) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (std::size_t c = 0; c < 4; ++c)
-        picture->at(x, y)[c] = static_cast<std::uint8_t>(120 + 50 * std::sin(x / 9.0) * std::cos(y / 7.0) +
+        picture->at(x, y)[c] = static_cast<std::uint8_t>(120 + 50 * math::sin(x / 9.0) * math::cos(y / 7.0) +
                                                          random.uniform(-8, 8));
   return picture;
 }

@@ -8,6 +8,7 @@
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
 #include "core/color/srgb.h"
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
@@ -120,7 +121,7 @@ TexelChain::Values TexelChain::bilinear(const Level& level, double x, double y) 
 }
 
 SurfaceTexel TexelChain::texel(const Values& v) {
-  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, -std::log2(v[6]) / 12};
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, -math::log2(v[6]) / 12};
 }
 
 SurfaceTexel TexelChain::read(TextureFilter filter, double x, double y, double level) const {

@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/color/gloss.h"
 #include "core/color/srgb.h"
+#include "core/math/functions.h"
 #include "core/math/quadrature.h"
 #include "core/study/families/families.h"
 #include "core/study/measure.h"
@@ -54,7 +55,7 @@ constexpr std::array shown_pairs{Pair{0.5, 0.75}, Pair{0.25, 0.75}, Pair{0.5, 1}
 
 // The lobe (e + 2) / (2 pi) nh^e, times pi, as a function of s = nh^2.
 double lobe(double e, double s) {
-  return s <= 0 ? (e == 0 ? 1 : 0) : (e + 2) / 2 * std::pow(s, e / 2);
+  return s <= 0 ? (e == 0 ? 1 : 0) : (e + 2) / 2 * math::pow(s, e / 2);
 }
 
 // Half the integral of |D - mean of D_a and D_b| nh: 0 for equal lobes, 1 for lobes that do not overlap.

@@ -12,6 +12,7 @@
 #include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
 #include "core/color/gloss.h"
+#include "core/math/functions.h"
 #include "core/study/families/families.h"
 #include "core/study/measure.h"
 
@@ -88,17 +89,17 @@ std::array<Truth, reflectances.size()> integrate(double g, double nv, std::span<
   std::array<Truth, reflectances.size()> out{};
   for (Truth& truth : out) truth.upper.assign(axes.size(), 0.0);
   for (int i = 0; i < steps; ++i) {
-    const double share = (i + 0.5) / steps, log_nh = std::log(share) / (e + 2);
-    const double nh = std::exp(log_nh), s = std::sqrt(-std::expm1(2 * log_nh));
+    const double share = (i + 0.5) / steps, log_nh = math::log(share) / (e + 2);
+    const double nh = math::exp(log_nh), s = std::sqrt(-math::expm1(2 * log_nh));
     for (int j = 0; j < steps; ++j) {
       const double phi = 2 * std::numbers::pi * (j + 0.5) / steps;
-      const Vec3 h{s * std::cos(phi), s * std::sin(phi), nh};
+      const Vec3 h{s * math::cos(phi), s * math::sin(phi), nh};
       const double vh = v[0] * h[0] + v[2] * h[2];
       const Vec3 l{2 * vh * h[0] - v[0], 2 * vh * h[1], 2 * vh * h[2] - v[2]};
       if (!(vh > 0) || !(l[2] > 0)) continue;
       // dl = 4 vh dh, and the half vectors' density is (e + 2) / (2 pi) nh^(e + 1).
       const double weight =
-          l[2] * 4 * vh * 2 * std::numbers::pi / ((e + 2) * std::exp((e + 1) * log_nh) * steps * steps);
+          l[2] * 4 * vh * 2 * std::numbers::pi / ((e + 2) * math::exp((e + 1) * log_nh) * steps * steps);
       // One evaluation has three channels, so that it gives three reflectances.
       std::array<double, 6> f{};
       for (std::size_t k = 0; k < f.size(); k += 3) {

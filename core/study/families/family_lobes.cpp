@@ -10,6 +10,7 @@
 #include "core/base/number.h"
 #include "core/brdf/models.h"
 #include "core/color/gloss.h"
+#include "core/math/functions.h"
 #include "core/math/quadrature.h"
 #include "core/study/families/families.h"
 #include "core/study/measure.h"
@@ -115,7 +116,7 @@ std::vector<Sample> samples_of(double gloss, double nv, int steps) {
     const double density = alpha2 / (std::numbers::pi * root * root) * nh;
     for (int j = 0; j < steps; ++j) {
       const double phi = std::numbers::pi * (j + 0.5) / steps;
-      const double hx = s * std::cos(phi), hy = s * std::sin(phi), vh = vx * hx + nv * nh;
+      const double hx = s * math::cos(phi), hy = s * math::sin(phi), vh = vx * hx + nv * nh;
       const Directions d{2 * vh * hx - vx, 2 * vh * hy, 2 * vh * nh - nv, vx, 0, nv};
       if (!(vh > 0) || !(d.lz > 0)) continue;
       out.push_back({d, 4 * vh / (density * steps * steps)});  // dl = 4 vh dh
@@ -171,8 +172,8 @@ std::vector<TimedCase> timed_ways() {
     for (std::size_t side = 0; side < 6; side += 3) {
       const double z = random.uniform(0.05, 1), phi = random.uniform(0, 2 * std::numbers::pi);
       const double s = std::sqrt(1 - z * z);
-      (*arrays)[side].push_back(static_cast<float>(s * std::cos(phi)));
-      (*arrays)[side + 1].push_back(static_cast<float>(s * std::sin(phi)));
+      (*arrays)[side].push_back(static_cast<float>(s * math::cos(phi)));
+      (*arrays)[side + 1].push_back(static_cast<float>(s * math::sin(phi)));
       (*arrays)[side + 2].push_back(static_cast<float>(z));
     }
   std::vector<TimedCase> cases;

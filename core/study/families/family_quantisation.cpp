@@ -11,6 +11,7 @@
 #include "core/color/srgb.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
+#include "core/math/functions.h"
 #include "core/study/families/families.h"
 #include "core/study/measure.h"
 
@@ -30,7 +31,7 @@ struct Coding {
 // ---- F0
 
 float encode_srgb(float x) {
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+  return x <= 0.0031308f ? 12.92f * x : 1.055f * math::pow(x, 1 / 2.4f) - 0.055f;
 }
 template <class Encode>
 void encode_many(const float* in, std::uint16_t* out, std::size_t count, float codes, Encode encode) {
@@ -43,10 +44,10 @@ constexpr std::array f0_codings{
            [](const float* in, std::uint16_t* out, std::size_t count) {
              encode_many(in, out, count, 255, encode_srgb);
            }},
-    Coding{"power22_8", "power 1/2.2, 8 bit", 255, [](double x) { return std::pow(x, 1 / 2.2); },
-           [](double y) { return std::pow(y, 2.2); },
+    Coding{"power22_8", "power 1/2.2, 8 bit", 255, [](double x) { return math::pow(x, 1 / 2.2); },
+           [](double y) { return math::pow(y, 2.2); },
            [](const float* in, std::uint16_t* out, std::size_t count) {
-             encode_many(in, out, count, 255, [](float x) { return std::pow(x, 1 / 2.2f); });
+             encode_many(in, out, count, 255, [](float x) { return math::pow(x, 1 / 2.2f); });
            }},
     Coding{"root8", "square root, 8 bit", 255, [](double x) { return std::sqrt(x); },
            [](double y) { return y * y; },

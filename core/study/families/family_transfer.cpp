@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/color/srgb.h"
+#include "core/math/functions.h"
 #include "core/study/families/families.h"
 #include "core/study/measure.h"
 
@@ -28,15 +29,15 @@ struct Curve {
 
 constexpr std::array encoders{Curve{"srgb", "sRGB, exact", srgb_encode, formulas::srgb_encode},
                               Curve{"power_045", "power 0.45 (Schüler)",
-                                    [](double x) { return std::pow(x, 0.45); }, formulas::power045_encode},
+                                    [](double x) { return math::pow(x, 0.45); }, formulas::power045_encode},
                               Curve{"power_1_22", "power 1/2.2",
-                                    [](double x) { return std::pow(x, 1 / 2.2); }, formulas::power22_encode},
+                                    [](double x) { return math::pow(x, 1 / 2.2); }, formulas::power22_encode},
                               Curve{"root", "square root (Schüler, 2.0)",
                                     [](double x) { return std::sqrt(x); }, formulas::root_encode}};
 
 constexpr std::array decoders{
     Curve{"srgb", "sRGB, exact", srgb_decode, formulas::srgb_decode},
-    Curve{"power_22", "power 2.2 (Schüler)", [](double y) { return std::pow(y, 2.2); },
+    Curve{"power_22", "power 2.2 (Schüler)", [](double y) { return math::pow(y, 2.2); },
           formulas::power22_decode},
     Curve{"square", "squaring (Schüler, 2.0)", [](double y) { return y * y; }, formulas::square_decode}};
 

@@ -3,6 +3,7 @@
 // both.
 #include <cmath>
 
+#include "core/math/functions.h"
 #include "core/study/stability/stability_rows.h"
 
 #pragma GCC diagnostic push

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/base/number.h"
+#include "core/math/functions.h"
 #include "core/validate/repairs/rows.h"
 
 namespace etak {
@@ -23,7 +24,7 @@ double lean_of(const RepairPicture& map) {
   std::array<double, 3> sum{};
   for (std::size_t i = 0; i < map.codes.values.size(); i += channels)
     for (std::size_t c = 0; c < 3; ++c) sum[c] += 2 * map.value(map.codes.values[i + c]) - 1;
-  return std::atan2(std::hypot(sum[0], sum[1]), sum[2]) * 180 / std::numbers::pi;
+  return math::atan2(math::hypot(sum[0], sum[1]), sum[2]) * 180 / std::numbers::pi;
 }
 
 // Makes the texels unit whose length is wrong, along their own direction.

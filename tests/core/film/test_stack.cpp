@@ -9,6 +9,7 @@
 
 #include "core/base/number.h"
 #include "core/fresnel/fresnel.h"
+#include "core/math/functions.h"
 #include "tests/support.h"
 
 using namespace etak;

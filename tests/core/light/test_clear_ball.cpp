@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/functions.h"
 #include "core/math/mat3.h"
 
 namespace etak {

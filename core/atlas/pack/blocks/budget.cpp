@@ -10,6 +10,7 @@
 #include "core/base/text/text.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/math/functions.h"
 
 namespace etak {
 
@@ -99,7 +100,7 @@ double BlockMeasure::colour(const std::array<std::uint8_t, 4>& from,
 }
 
 double BlockMeasure::fourth(std::uint8_t from, std::uint8_t to, int cutoff) const {
-  if (is_gloss_) return 100 * (std::exp2(std::abs(exponent_log2_[from] - exponent_log2_[to])) - 1);
+  if (is_gloss_) return 100 * (math::exp2(std::abs(exponent_log2_[from] - exponent_log2_[to])) - 1);
   if (cutoff >= 0) return (from >= cutoff) == (to >= cutoff) ? 0 : 100;
   return std::abs(from - to) / 2.55;
 }

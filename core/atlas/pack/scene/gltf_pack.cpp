@@ -21,6 +21,7 @@
 #include "core/image/load.h"
 #include "core/image/same_pictures.h"
 #include "core/image/texture_bytes.h"
+#include "core/math/functions.h"
 #include "core/scene/conversion_cost.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/image_roles.h"
@@ -142,7 +143,7 @@ void scale_of(const SceneRead& read, PackInput& in, const SceneRead::Entry& entr
   constexpr double rounding = 1e-6;
   std::optional<double> halvings;
   if (asked.texel_density > 0 && scale.least_density > 0)
-    halvings = std::log2(scale.least_density / asked.texel_density);
+    halvings = math::log2(scale.least_density / asked.texel_density);
   if (scale.seen && std::isfinite(scale.least_level))
     halvings = std::min(halvings.value_or(scale.least_level), scale.least_level);
   if (asked.view_height == 0 || scale.seen)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/math/functions.h"
 #include "core/render/ambient/round_lobe.h"
 
 #include <catch2/catch.hpp>
