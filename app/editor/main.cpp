@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationVersion(QStringLiteral(ETAK_VERSION));
   QApplication::setDesktopFileName("etak-editor");
   const bool picture = !options.screenshot.isEmpty();
-  const Theme remembered = theme_named(picture ? QString() : QSettings().value("theme").toString());
+  const Theme remembered = picture ? Theme::dark : theme_named(QSettings().value("theme").toString());
   apply_theme(application, options.theme.value_or(remembered));
 
   // The user chose the pictures of a project in this editor, so links to other folders are followed.

@@ -147,6 +147,7 @@ void show_findings(Window& window) {
     m.diffuse = {0.98, 0.98, 0.98};
   });
   settle(window);
+  window.tabs().setCurrentWidget(&window.findings());
   auto* table = window.findings().findChild<QTreeView*>();
   table->setCurrentIndex(table->model()->index(0, 0));
 }

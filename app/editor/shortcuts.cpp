@@ -58,6 +58,12 @@ ShortcutsDialog::ShortcutsDialog(const QMainWindow& window, QWidget* parent) : Q
   row(view, tr("Drag on the separator"), tr("move the line between A and B"));
   row(view, tr("Space, held"), tr("show B in place of A"));
   row(view, tr("F"), tr("frame the object"));
+  row(view, tr("Alt + arrow keys"), tr("orbit"));
+  row(view, tr("+, -"), tr("zoom"));
+  row(view, tr("Ctrl + left, right"), tr("turn the environment"));
+  row(view, tr("L"), tr("choose the next light"));
+  row(view, tr("Shift + arrow keys"), tr("move the chosen light, or the hemispheres' axis"));
+  row(view, tr("Comma, period"), tr("move the line between A and B"));
   row(view, tr("Double click"), tr("reset the camera"));
   row(view, tr("Arrow keys"), tr("previous and next material of the project"));
   auto* fields = group(tr("Number fields"));

@@ -60,7 +60,13 @@ QPalette palette_of(Theme theme) {
 
 }  // namespace
 
+Theme desktop_theme() {
+  static const Theme theme = is_dark(QApplication::palette()) ? Theme::dark : Theme::light;
+  return theme;
+}
+
 void apply_theme(QApplication& application, Theme theme) {
+  (void)desktop_theme();  // is found before the palette is changed
   QApplication::setStyle(new OutlinedBoxes);
   QApplication::setPalette(palette_of(theme));
   // No role of the palette has enough contrast to the window in both themes.
@@ -82,7 +88,7 @@ QString name(Theme theme) {
 }
 
 Theme theme_named(const QString& name) {
-  return name == "light" ? Theme::light : Theme::dark;
+  return name == "light" ? Theme::light : name == "dark" ? Theme::dark : desktop_theme();
 }
 
 }  // namespace etak::editor

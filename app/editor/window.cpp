@@ -7,7 +7,6 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -20,7 +19,6 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTabWidget>
-#include <QToolButton>
 
 #include "app/editor/curves/curves_panel.h"
 #include "app/editor/document/files.h"
@@ -36,6 +34,7 @@
 #include "app/editor/panels/problem_strip.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/panels/texture_view.h"
+#include "app/editor/panels/view_bar.h"
 #include "app/editor/panels/view_panel.h"
 #include "app/editor/window_icon.h"
 #include "app/viewport/background.h"
@@ -111,7 +110,7 @@ Window::~Window() {
 void Window::make_panels() {
   viewport_ =
       new Viewport(this, options_.cpu_viewport ? Viewport::Backend::cpu : Viewport::Backend::automatic);
-  tabs_ = tab_widget(tr("Curves, shader, textures"), this);
+  tabs_ = tab_widget(tr("Curves, shader, textures, findings"), this);
   shader_ = new QPlainTextEdit(tabs_);
   shader_->setReadOnly(true);
   shader_->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -123,12 +122,17 @@ void Window::make_panels() {
   tabs_->addTab(curves_, tr("Curves"));
   tabs_->addTab(shader_, tr("Shader"));
   tabs_->addTab(texture_view_, tr("Textures"));
+  findings_ = new FindingsPanel(*validator_, tabs_);
+  tabs_->addTab(findings_, tr("Findings"));
   auto* centre = new QWidget(this);
   centre->setAccessibleName(tr("Messages and viewport"));
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   problems_ = new ProblemStrip(centre);
+  column->setSpacing(0);
   column->addWidget(problems_);
+  make_view_bar(centre);
+  column->addWidget(view_bar_);
   auto* middle = new QSplitter(Qt::Vertical, centre);
   column->addWidget(middle, 1);
   middle->setAccessibleName(tr("Viewport and tabs"));
@@ -138,10 +142,13 @@ void Window::make_panels() {
   middle->setStretchFactor(0, 3);
   middle->setStretchFactor(1, 1);
   middle->setCollapsible(0, false);
-  middle->setSizes({480, 190});
+  middle->setSizes({450, 270});
   setCentralWidget(centre);
   make_docks();
   make_looks();
+  for (const auto signal : {&Document::view_changed, &Document::replaced})
+    connect(&document_, signal, this, &Window::show_switches);
+  show_switches();
   connect_panels();
   prepare_lines();
 
@@ -158,41 +165,6 @@ void Window::make_panels() {
   statusBar()->addPermanentWidget(work_);
   statusBar()->addPermanentWidget(patch_);
   statusBar()->addPermanentWidget(backend_);
-}
-
-void Window::make_looks() {
-  auto* corner = new QWidget(tabs_);
-  corner->setAccessibleName(tr("Ways of looking"));
-  auto* row = new QHBoxLayout(corner);
-  row->setContentsMargins(0, 0, 4, 2);
-  row->setSpacing(2);
-  const auto add = [&](const QString& title, const QString& tip, void (*take)(ProjectView&)) {
-    auto* out = new QAction(title, this);
-    out->setCheckable(true);
-    out->setToolTip(tip);
-    connect(out, &QAction::triggered, this, [this, title, take] {
-      document_.change_view(title.toLower(), next_press_id(), take);
-      show_looks();  // the one that was chosen already stays so
-    });
-    auto* button = new QToolButton(corner);
-    button->setDefaultAction(out);
-    button->setAccessibleName(title);
-    row->addWidget(button);
-    return out;
-  };
-  look_action_ = add(
-      tr("Look"), tr("Environment behind, ground and a neutral tone curve, as in new projects"), take_look);
-  measure_action_ =
-      add(tr("Measure"), tr("Grey background, plain sRGB curve, exposure 0: 18 % is code 118"), take_measure);
-  tabs_->setCornerWidget(corner);
-  connect(&document_, &Document::view_changed, this, &Window::show_looks);
-  connect(&document_, &Document::replaced, this, &Window::show_looks);
-  show_looks();
-}
-
-void Window::show_looks() {
-  look_action_->setChecked(is_look(document_.project().view));
-  measure_action_->setChecked(is_measure(document_.project().view));
 }
 
 void Window::prepare_lines() {
@@ -231,7 +203,6 @@ void Window::make_docks() {
   inspector_ = new Inspector(document_, this);
   light_panel_ = new LightPanel(document_, this);
   view_panel_ = new ViewPanel(document_, look_, this);
-  findings_ = new FindingsPanel(*validator_, this);
   inspector_tabs_ = tab_widget(tr("Material, light, view"), this);
   inspector_tabs_->addTab(inspector_, tr("Material"));
   inspector_tabs_->addTab(light_panel_, tr("Light"));
@@ -239,10 +210,12 @@ void Window::make_docks() {
   QDockWidget* library = dock(tr("Library"), "library", library_panel_, Qt::LeftDockWidgetArea);
   QDockWidget* project = dock(tr("Project"), "project", project_panel_, Qt::LeftDockWidgetArea);
   QDockWidget* inspector = dock(tr("Inspector"), "inspector", inspector_tabs_, Qt::RightDockWidgetArea);
-  QDockWidget* findings = dock(tr("Findings"), "findings", findings_, Qt::BottomDockWidgetArea);
+  QDockWidget* history = make_history();
+  addDockWidget(Qt::LeftDockWidgetArea, history);
+  tabifyDockWidget(project, history);
+  history->hide();
   resizeDocks({library, inspector}, {300, 340}, Qt::Horizontal);
   resizeDocks({library, project}, {480, 240}, Qt::Vertical);
-  resizeDocks({findings}, {150}, Qt::Vertical);
 }
 
 void Window::connect_panels() {
@@ -257,7 +230,7 @@ void Window::connect_panels() {
     material.name = tr("Material").toStdString();
     material.diffuse = {0.5, 0.5, 0.5};
     material.alpha_mode = AlphaMode::opaque;
-    document_.add({material}, {}, tr("new material"));
+    document_.add({as_preferred(material)}, {}, tr("new material"));
   });
   connect(project_panel_, &ProjectPanel::copy_asked, this, [this] {
     std::vector<ProjectMaterial> copies;
@@ -268,6 +241,7 @@ void Window::connect_panels() {
   connect(project_panel_, &ProjectPanel::remove_asked, this,
           [this] { document_.remove(project_panel_->in_hand()); });
   connect(project_panel_, &ProjectPanel::picked, this, &Window::end_preview);
+  connect(validator_, &Validator::findings_changed, this, &Window::count_findings);
   connect(findings_, &FindingsPanel::go_to, this, &Window::go_to_finding);
   connect(findings_, &FindingsPanel::fix_asked, this, &Window::fix_finding);
   connect(findings_, &FindingsPanel::mute_asked, this, &Window::mute_finding);
@@ -293,7 +267,7 @@ bool Window::use_library_material(const QString& name) {
   const auto record = document_.library()->find(name.toStdString());
   if (!record) return false;
   const QString failure = failure_of([&] {
-    document_.add({with_measured(material_of(*record), *document_.library())}, {},
+    document_.add({as_preferred(with_measured(material_of(*record), *document_.library()))}, {},
                   tr("add %1").arg(QString::fromStdString(record->name)));
   });
   if (!failure.isEmpty()) tell(failure);
@@ -312,6 +286,7 @@ void Window::show_viewport_only(bool on) {
   menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX);
   statusBar()->setVisible(!on);
   tabs_->setVisible(!on);
+  view_bar_->setVisible(!on);
   if (on) {
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->hide();
     viewport_->setFocus();
@@ -359,6 +334,8 @@ bool Window::eventFilter(QObject* object, QEvent* event) {
 void Window::restore() {
   if (!options_.remember) return;
   const QSettings settings;
+  preferences_ = Preferences::remembered();
+  if (preferences_.measure) document_.replace(fresh_project(), {}, true);
   restoreGeometry(settings.value("window/geometry").toByteArray());
   restoreState(settings.value("window/state").toByteArray());
   auto* middle = findChild<QSplitter*>("middle");

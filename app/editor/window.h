@@ -11,9 +11,11 @@
 #include "app/editor/document/look.h"
 #include "app/editor/document/thumbnails.h"
 #include "app/editor/document/validator.h"
+#include "app/editor/panels/preferences.h"
 #include "app/viewport/background.h"
 #include "app/viewport/viewport.h"
 
+class QDockWidget;
 class QLabel;
 class QPlainTextEdit;
 class QTabWidget;
@@ -36,6 +38,7 @@ class PreviewBar;
 class ProblemStrip;
 class ProjectPanel;
 class TextureView;
+class ViewBar;
 class ViewPanel;
 
 struct WindowOptions {
@@ -45,9 +48,9 @@ struct WindowOptions {
 };
 
 /// The window of the editor: library and project on the left, viewport with tabs under it, inspector on the
-/// right, findings below. Its functions are in files by subject: window.cpp makes the panels,
+/// right. Its functions are in files by subject: window.cpp makes the panels,
 /// window_menus.cpp the menus, window_files.cpp reads and writes files, window_drops.cpp takes dropped files,
-/// window_own.cpp has materials across projects, window_findings.cpp acts on findings, window_mask.cpp makes materials by masks, window_export.cpp exports to other programs, window_recovery.cpp guards unsaved changes,
+/// window_own.cpp has materials across projects, window_view.cpp switches how they are looked at, window_findings.cpp acts on findings, window_mask.cpp makes materials by masks, window_export.cpp exports to other programs, window_recovery.cpp guards unsaved changes,
 /// window_picture.cpp updates viewport and tabs.
 class Window : public QMainWindow {
   Q_OBJECT
@@ -119,7 +122,16 @@ class Window : public QMainWindow {
   void prepare_lines();
   /// The two ways of looking, in a corner below the viewport and in the menu View.
   void make_looks();
-  void show_looks();
+  void make_view_bar(QWidget* parent);
+  QDockWidget* make_history();
+  /// An action that switches something on and off.
+  ///   tip   tooltip of its button
+  QAction* switch_action(const QString& title, const QString& tip, const QKeySequence& keys,
+                         const std::function<bool()>& is_on, const std::function<void()>& act);
+  void show_switches();
+  void ask_preferences();
+  ProjectMaterial as_preferred(ProjectMaterial material) const;
+  Project fresh_project() const;
   /// Takes the value that is typed in the focused field, although the user has not left the field yet.
   void take_typed();
   void make_menus();
@@ -211,6 +223,7 @@ class Window : public QMainWindow {
   void show_patch(const PatchUnderCursor& patch);
   void drop_old_patch();
   void go_to_finding(const Finding& finding);
+  void count_findings();
   void fix_finding(const Finding& finding);
   void mute_finding(const Finding& finding, const QString& reason);
 
@@ -245,7 +258,11 @@ class Window : public QMainWindow {
   ProblemStrip* problems_ = nullptr;
   QString previewed_;  // id of the library material in the preview
   QAction *undo_ = nullptr, *redo_ = nullptr, *end_preview_ = nullptr;
-  QAction *look_action_ = nullptr, *measure_action_ = nullptr;
+  QAction *look_action_ = nullptr, *measure_action_ = nullptr, *compare_action_ = nullptr;
+  QList<QAction*> overlays_;
+  std::vector<std::function<void()>> switches_;  // show whether what the actions switch is on
+  ViewBar* view_bar_ = nullptr;
+  Preferences preferences_;
   QString let_go_;  // what was told of a measurement that a typed colour has replaced
   QTimer refresh_timer_;
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 
 #include "app/editor/document/pictures.h"
 #include "app/editor/fields/press_id.h"
+#include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/texture_view.h"
+#include "app/editor/theme.h"
 #include "app/editor/window.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/files/file.h"
@@ -68,6 +71,24 @@ void Window::go_to_finding(const Finding& finding) {
   if (m == nullptr || !finding.box || !has_packed_textures(*m)) return;
   tabs_->setCurrentWidget(texture_view_);
   texture_view_->show_box(field_of(finding.rule).value_or(Channel::specular), *finding.box);
+}
+
+// The tab says how many errors and warnings there are, because it is mostly behind another one.
+void Window::count_findings() {
+  const auto [errors, warnings, infos, muted] = findings_->model().counts();
+  const int tab = tabs_->indexOf(findings_);
+  tabs_->setTabText(tab,
+                    errors + warnings == 0 ? tr("Findings") : tr("Findings (%1)").arg(errors + warnings));
+  tabs_->setTabToolTip(tab, tr("%1 errors, %2 warnings, %3 infos, %4 muted (Ctrl+Shift+F)")
+                                .arg(errors)
+                                .arg(warnings)
+                                .arg(infos)
+                                .arg(muted));
+  const bool dark = is_dark(palette());
+  const QColor color = errors > 0     ? QColor(dark ? "#ff7864" : "#b02818")
+                       : warnings > 0 ? QColor(dark ? "#ebb41e" : "#8a6000")
+                                      : QColor();  // that of the theme
+  tabs_->tabBar()->setTabTextColor(tab, color);
 }
 
 void Window::fix_finding(const Finding& finding) {

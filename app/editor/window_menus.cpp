@@ -9,8 +9,10 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <QTabWidget>
+#include <QTreeView>
 
 #include "app/editor/fields/press_id.h"
+#include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/panels/view_panel.h"
@@ -57,7 +59,7 @@ void Window::make_menus() {
 void Window::make_file_menu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
   action(menu, tr("&New project"), QKeySequence::New, [this] {
-    if (may_lose_changes()) document_.replace(new_project(), {}, true);
+    if (may_lose_changes()) document_.replace(fresh_project(), {}, true);
   });
   action(menu, tr("&Open\u2026"), QKeySequence::Open, [this] { choose_and_open(); });
   QMenu* recent = menu->addMenu(tr("Open &recent"));
@@ -104,6 +106,8 @@ void Window::make_edit_menu() {
   project_panel_->addAction(remove);
   make_own_menu(menu);
   menu->addSeparator();
+  action(menu, tr("P&references\u2026"), QKeySequence(Qt::CTRL | Qt::Key_Comma),
+         [this] { ask_preferences(); });
   fill_copy_menu(submenu(menu, tr("&Copy value as")));
   action(menu, tr("Copy as command &line"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
          [this] { copy_command(); });
@@ -122,10 +126,7 @@ void Window::make_view_menu() {
   end_preview_ =
       action(menu, tr("E&nd the preview"), QKeySequence(Qt::Key_Escape), [this] { end_preview(); });
   end_preview_->setEnabled(false);
-  action(menu, tr("&Compare A and B"), QKeySequence(Qt::CTRL | Qt::Key_T), [this] {
-    document_.change_view(tr("compare"), next_press_id(),
-                          [](ProjectView& view) { view.compare.on = !view.compare.on; });
-  });
+  menu->addAction(compare_action_);
   action(menu, tr("&Pin as B"), QKeySequence(Qt::CTRL | Qt::Key_B),
          [this] { emit view_panel_->pin_asked(); });
   menu->addAction(look_action_);
@@ -135,36 +136,37 @@ void Window::make_view_menu() {
   QAction* forth = document_.view_stack().createRedoAction(this, tr("Re&do the look:"));
   forth->setShortcut(QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_Y));
   menu->addActions({back, forth});
-  const auto overlay = [&](const QString& title, Qt::Key key, bool Look::*on) {
-    action(menu, title, QKeySequence(Qt::CTRL | key), [this, on] {
-      look_.*on = !(look_.*on);
-      look_changed();
-    });
-  };
-  overlay(tr("Forbidden &zone overlay"), Qt::Key_1, &Look::zone_overlay);
-  overlay(tr("&Energy overlay"), Qt::Key_2, &Look::energy_overlay);
-  overlay(tr("Angle z&ones overlay"), Qt::Key_3, &Look::angle_overlay);
+  menu->addActions(overlays_);
   menu->addSeparator();
   action(menu, tr("View&port only"), QKeySequence(Qt::Key_F11), [this] { show_viewport_only(!alone_); });
+  action(menu, tr("F&indings"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F), [this] {
+    tabs_->setCurrentWidget(findings_);
+    findings_->table().setFocus();
+  });
   QMenu* panels = submenu(menu, tr("P&anels"));
   for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
   // The layout of a new window, saved before a remembered layout replaces it.
   const QByteArray first = saveState();
   action(menu, tr("Reset the &layout"), {}, [this, first] {
     restoreState(first);
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->show();
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->setVisible(dock->objectName() != "history");
   });
   QMenu* themes = submenu(menu, tr("&Theme"));
   auto* group = new QActionGroup(this);
-  for (const Theme theme : {Theme::dark, Theme::light}) {
-    QAction* each = action(themes, theme == Theme::dark ? tr("&Dark") : tr("&Light"), {}, [this, theme] {
-      apply_theme(*qApp, theme);
-      if (options_.remember) QSettings().setValue("theme", name(theme));
+  const QString now = options_.remember ? QSettings().value("theme", "desktop").toString()
+                                        : name(is_dark(palette()) ? Theme::dark : Theme::light);
+  const auto add = [&](const QString& title, const QString& stored) {
+    QAction* each = action(themes, title, {}, [this, stored] {
+      apply_theme(*qApp, theme_named(stored));
+      if (options_.remember) QSettings().setValue("theme", stored);
     });
     each->setCheckable(true);
-    each->setChecked(is_dark(palette()) == (theme == Theme::dark));
+    each->setChecked(stored == now);
     group->addAction(each);
-  }
+  };
+  add(tr("&As the desktop"), "desktop");
+  add(tr("&Dark"), name(Theme::dark));
+  add(tr("&Light"), name(Theme::light));
 }
 
 }  // namespace etak::editor

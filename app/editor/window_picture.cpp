@@ -98,7 +98,10 @@ void Window::connect_viewport() {
     validator_->check(materials);
     tell(tr("pictures of %1 have changed").arg(materials.join(QLatin1String(", "))));
   });
-  connect(view_panel_, &ViewPanel::look_changed, this, soon);
+  connect(view_panel_, &ViewPanel::look_changed, this, [this, soon] {
+    show_switches();
+    soon();
+  });
   connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
     if (document_.material() == nullptr) return;
     document_.change_view(tr("pin as B"), next_press_id(), [this](ProjectView& view) {
@@ -168,6 +171,7 @@ void Window::end_preview() {
 
 void Window::look_changed() {
   view_panel_->show_look();
+  show_switches();
   refresh_timer_.start();
 }
 

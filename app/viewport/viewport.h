@@ -32,8 +32,9 @@ struct PatchUnderCursor {
 /// Mouse: left drag orbits (so does Alt + left), middle drag pans, wheel or Alt + right drag zooms, Ctrl +
 /// left drag turns the environment, Shift + left drag moves the light or the axis of the hemispheres whose
 /// mark is nearest, Shift + wheel changes its strength, a drag on the separator moves the separator, double
-/// click resets the camera. Keys: F frames the object; while Space is held, b is shown in place of a. Arrow
-/// keys are left to the window.
+/// click resets the camera. Keys: F frames the object; arrows with Alt orbit, with Ctrl turn the environment, with Shift
+/// move a light, which L chooses; plus and minus zoom, comma and period move the separator; while Space is held, b is
+/// shown in place of a. Arrow keys alone are left to the window.
 class Viewport : public QWidget {
   Q_OBJECT
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mouse and keys of the viewport; core/render/view_moves.h holds what they do to a state.
+// The mouse over the viewport; core/render/view_moves.h holds what it does to a state. Keys are in viewport_keys.cpp.
 #include <QDragEnterEvent>
-#include <QKeyEvent>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -144,8 +143,9 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   if (d_->drag != Private::Drag::none) return d_->drag_to(event->position());
   d_->show_cursor(event->position());
   const bool shift = (event->modifiers() & Qt::ShiftModifier) != 0;
-  if (shift != d_->shift_held) {
+  if (shift != d_->shift_held || d_->light_by_keys) {
     d_->shift_held = shift;
+    d_->light_by_keys = false;
     d_->refresh_overlay();
   }
   d_->hover_at = event->position();
@@ -191,31 +191,6 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   if (!(d_->state == before)) d_->edited();
 }
 
-void Viewport::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Shift) {
-    d_->shift_held = true;
-    d_->refresh_overlay();
-  }
-  if (event->modifiers() == Qt::NoModifier && event->key() == Qt::Key_F) return frame_object();
-  if (event->modifiers() == Qt::NoModifier && event->key() == Qt::Key_Space) {
-    if (!event->isAutoRepeat()) set_flipped(true);
-    return;
-  }
-  event->ignore();  // the window handles arrows and all other keys
-}
-
-void Viewport::keyReleaseEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Shift) {
-    d_->shift_held = false;
-    d_->refresh_overlay();
-  }
-  if (event->key() == Qt::Key_Space) {
-    if (!event->isAutoRepeat()) set_flipped(false);
-    return;
-  }
-  event->ignore();
-}
-
 void Viewport::set_flipped(bool on) {
   if (d_->flipped == on) return;
   d_->flipped = on;
@@ -239,7 +214,7 @@ void Viewport::reset_camera() {
 
 void Viewport::leaveEvent(QEvent*) {
   d_->hover_timer.stop();
-  d_->shift_held = false;
+  d_->shift_held = d_->light_by_keys = false;
   d_->readout.clear();
   d_->refresh_overlay();
   emit hover_ended();
@@ -252,7 +227,7 @@ void Viewport::focusInEvent(QFocusEvent* event) {
 
 void Viewport::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
-  d_->shift_held = false;
+  d_->shift_held = d_->light_by_keys = false;
   set_flipped(false);  // the release of Space will go to another widget
   d_->refresh_overlay();
 }
@@ -320,7 +295,8 @@ void Viewport::Private::refresh_overlay() {
     content.separator = separator_x();
     content.right_name = QString::fromStdString(shown.b.label);
   }
-  if (const bool lights = drag == Drag::light || shift_held; lights && state.shape != ViewShape::wedge) {
+  if (const bool lights = drag == Drag::light || shift_held || light_by_keys;
+      lights && state.shape != ViewShape::wedge) {
     // Places of marks become widget pixels by the place and the scale in the middle of the widget.
     if (const auto middle = under(QPointF(q.width() / 2.0, q.height() / 2.0))) {
       const double radius = middle->radius_pixels / q.devicePixelRatioF();
@@ -336,7 +312,8 @@ void Viewport::Private::refresh_overlay() {
                               etak::name(state.lights.lights[static_cast<std::size_t>(mark.light)].kind))
                               .c_str()))
                       .arg(mark.light + 1);
-        content.marks.push_back({at, name, drag == Drag::light && mark.light == held_light});
+        const bool held = (drag == Drag::light || light_by_keys) && mark.light == held_light;
+        content.marks.push_back({at, name, held});
       }
     }
   }

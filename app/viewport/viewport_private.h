@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractSlider>
+#include <QElapsedTimer>
 #include <QPointer>
 #include <QTimer>
 
@@ -39,6 +40,9 @@ class Viewport::Private {
   int held_light = 0;
   QPointer<const QAbstractSlider> slider;  // outside of the viewport, which the user drags
   bool shift_held = false;
+  bool light_by_keys = false;  // keys move held_light, so that its mark is shown
+  QElapsedTimer key_pause;     // since the last step of a key
+  int last_key = 0;
   QTimer hover_timer;
   QPointF hover_at;
   QString readout;
@@ -62,6 +66,10 @@ class Viewport::Private {
   void edited();  // the user has changed the state: draws it and emits state_edited()
   void begin(Drag kind, const QPointF& position);
   void drag_to(const QPointF& position);
+  /// Does what a key does to the state. Returns whether the key is one of the viewport.
+  bool step(int key, Qt::KeyboardModifiers keys);
+  void step_light(const ViewPlace& way);
+  void choose_next_light();
   int nearest_light(const ViewPlace& place, double& distance) const;
   void hover();
   void show_cursor(const QPointF& position);

@@ -161,6 +161,9 @@ class EditorFindings : public QObject {
     window->document().edit(1, m, QStringLiteral("dark"), next_press_id());
     show_active(window);
     QVERIFY(window.settle());
+    QTest::keyClick(window.window.get(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(window->tabs().currentWidget(), static_cast<QWidget*>(&window->findings()));
+    QVERIFY(window->tabs().tabText(window->tabs().currentIndex()).startsWith("Findings ("));
     auto* table = named<QTreeView>(window->findings(), QStringLiteral("List of findings"));
     QVERIFY(table != nullptr);
     const auto go = [&](const char* rule) {

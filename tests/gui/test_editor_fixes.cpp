@@ -42,6 +42,7 @@ void open_painted_metal(TestWindow& window) {
 
 // Marks the row of a rule in the list, and returns whether there is one.
 bool mark_rule(TestWindow& window, const QString& rule) {
+  window->tabs().setCurrentWidget(&window->findings());
   QTreeView& table = window->findings().table();
   const QAbstractItemModel& model = *table.model();
   for (int row = 0; row < model.rowCount(); ++row)

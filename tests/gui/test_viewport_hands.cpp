@@ -162,6 +162,51 @@ class ViewportHands : public QObject {
     QCOMPARE(window->keys.size(), 4);
   }
 
+  void keys_orbit_zoom_and_turn_the_environment() {
+    QSignalSpy edits(viewport, &Viewport::state_edited);
+    QTest::keyClick(viewport, Qt::Key_Right, Qt::AltModifier);
+    QTest::keyClick(viewport, Qt::Key_Up, Qt::AltModifier);
+    QVERIFY(std::abs(viewport->state().camera.turn_deg + 5) < 1e-9);
+    QVERIFY(std::abs(viewport->state().camera.rise_deg + 5) < 1e-9);
+    QTest::keyClick(viewport, Qt::Key_Plus);
+    QVERIFY(std::abs(viewport->state().camera.zoom - 1.1) < 1e-9);
+    QTest::keyClick(viewport, Qt::Key_Minus);
+    QVERIFY(std::abs(viewport->state().camera.zoom - 1) < 1e-9);
+    const ViewState before = viewport->state();
+    QTest::keyClick(viewport, Qt::Key_Left, Qt::ControlModifier);
+    QTest::keyClick(viewport, Qt::Key_Left, Qt::ControlModifier);
+    QVERIFY(viewport->state().environment_turn_deg != 0);
+    QCOMPARE(viewport->state().camera, before.camera);
+    QCOMPARE(edits.size(), 6);
+    QCOMPARE(edits[5].at(1).toInt(), edits[4].at(1).toInt());  // steps of one key are one press
+    QVERIFY(edits[4].at(1).toInt() != edits[3].at(1).toInt());
+    QVERIFY(!window->keys.contains(Qt::Key_Left) && !window->keys.contains(Qt::Key_Right));
+  }
+
+  void keys_move_the_light_that_l_chooses() {
+    const LightSetup before = viewport->state().lights;
+    QTest::keyClick(viewport, Qt::Key_Right, Qt::ShiftModifier);
+    QVERIFY(viewport->state().lights.lights[0] != before.lights[0]);
+    QCOMPARE(viewport->state().lights.lights[1], before.lights[1]);
+    viewport->set_state(gold_state());
+    QTest::keyClick(viewport, Qt::Key_L);
+    QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);
+    QCOMPARE(viewport->state().lights.lights[0], before.lights[0]);
+    QVERIFY(viewport->state().lights.lights[1] != before.lights[1]);
+  }
+
+  void keys_move_the_separator_of_a_comparison() {
+    QTest::keyClick(viewport, Qt::Key_Comma);
+    QCOMPARE(viewport->state().separator, 0.5);
+    ViewState state = gold_state();
+    state.split = true;
+    viewport->set_state(state);
+    QTest::keyClick(viewport, Qt::Key_Comma);
+    QVERIFY(viewport->state().separator < 0.5);
+    QTest::keyClick(viewport, Qt::Key_Period);
+    QCOMPARE(viewport->state().separator, 0.5);
+  }
+
   void held_space_shows_the_other_side() {
     const QImage a = viewport->grab_picture();
     QTest::keyPress(viewport, Qt::Key_Space);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/curves/curves_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -45,13 +46,14 @@ CurvesPanel::CurvesPanel(QWidget* parent)
       angles_(new LinePlotWidget),
       lobe_(new PolarPlotWidget),
       channel_(new QComboBox),
-      scale_(new QComboBox),
+      scale_(new QCheckBox(tr("lo&g"))),
       light_(new QDoubleSpinBox) {
   tabs_->setAccessibleName(tr("Curves"));
   tabs_->setCornerWidget(beside_tabs_);
   channel_->addItems({tr("Red"), tr("Green"), tr("Blue"), tr("Luminance")});
   channel_->setCurrentIndex(3);
-  scale_->addItems({tr("Linear"), tr("Logarithmic")});
+  scale_->setAccessibleName(tr("Logarithmic scale"));
+  scale_->setToolTip(tr("Logarithmic scale of the lobe, which shows its foot"));
   light_->setRange(0, 89);
   light_->setValue(45);
   light_->setDecimals(0);
@@ -60,16 +62,14 @@ CurvesPanel::CurvesPanel(QWidget* parent)
   tabs_->addTab(with_controls(index_, {}), tr("n, k"));
   tabs_->addTab(with_controls(reflectance_, {}), tr("R(λ)"));
   tabs_->addTab(with_controls(angles_, {label_for(channel_, tr("C&hannel:")), channel_}), tr("F(θ)"));
-  tabs_->addTab(with_controls(lobe_, {label_for(light_, tr("&Light at:")), light_,
-                                      label_for(scale_, tr("S&cale:")), scale_}),
-                tr("Lobe"));
+  tabs_->addTab(with_controls(lobe_, {label_for(light_, tr("&Light at:")), light_, scale_}), tr("Lobe"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(tabs_);
 
   connect(tabs_, &QTabWidget::currentChanged, beside_tabs_, &QStackedWidget::setCurrentIndex);
   connect(channel_, &QComboBox::currentIndexChanged, this, [this] { show_angles(); });
-  connect(scale_, &QComboBox::currentIndexChanged, this, [this] { show_lobe(); });
+  connect(scale_, &QCheckBox::toggled, this, [this] { show_lobe(); });
   connect(light_, &QDoubleSpinBox::valueChanged, this, [this] { ask(); });
   for (PlotWidget* plot : {static_cast<PlotWidget*>(index_), static_cast<PlotWidget*>(reflectance_),
                            static_cast<PlotWidget*>(angles_), static_cast<PlotWidget*>(lobe_)})
@@ -88,19 +88,20 @@ QWidget* CurvesPanel::with_controls(PlotWidget* plot, const std::vector<QWidget*
   row->setSpacing(4);
   row->addStretch();
   for (QWidget* control : controls) row->addWidget(control);
+  // One narrow button, since several with words would make the window wider than a small screen.
+  QToolButton* const more = add_button(*row, QString(QChar(0x22ef)),
+                                       tr("Copy the curves, or keep them beside those of the next material"),
+                                       tr("Curves: copy or keep"));
+  auto* menu = new QMenu(more);
+  menu->addAction(tr("Copy as &CSV"), plot, &PlotWidget::copy_csv);
+  menu->addAction(tr("Copy as &SVG"), plot, &PlotWidget::copy_svg);
   if (plot != index_) {
-    // One narrow button, since two with words would make the window wider than a small screen.
-    QToolButton* const kept = add_button(*row, tr("+"), tr("Curves beside those of the next material"));
-    auto* menu = new QMenu(kept);
+    menu->addSeparator();
     menu->addAction(tr("&Keep these curves"), this, &CurvesPanel::keep);
     menu->addAction(tr("&Forget the kept curves"), this, &CurvesPanel::forget_kept);
-    kept->setMenu(menu);
-    kept->setPopupMode(QToolButton::InstantPopup);
   }
-  connect(add_button(*row, tr("CSV"), tr("Copy the curves as CSV")), &QToolButton::clicked, plot,
-          &PlotWidget::copy_csv);
-  connect(add_button(*row, tr("SVG"), tr("Copy the plot as SVG")), &QToolButton::clicked, plot,
-          &PlotWidget::copy_svg);
+  more->setMenu(menu);
+  more->setPopupMode(QToolButton::InstantPopup);
   beside_tabs_->addWidget(own);
   return page;
 }
@@ -306,7 +307,7 @@ void CurvesPanel::show_angles() {
 }
 
 void CurvesPanel::show_lobe() {
-  const auto scale = scale_->currentIndex() == 0 ? RadialScale::linear : RadialScale::logarithmic;
+  const auto scale = scale_->isChecked() ? RadialScale::logarithmic : RadialScale::linear;
   const auto model_text = [](const Request& request) {
     return ", " + std::string(request.model->title) + ", gloss " + number(request.gloss, 3);
   };

@@ -13,6 +13,7 @@
 #include "core/material/material.h"
 #include "core/pages/material_plots.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -105,7 +106,8 @@ class CurvesPanel : public QWidget {
   QStackedWidget* beside_tabs_;
   LinePlotWidget *index_, *reflectance_, *angles_;
   PolarPlotWidget* lobe_;
-  QComboBox *channel_, *scale_;
+  QComboBox* channel_;
+  QCheckBox* scale_;
   QDoubleSpinBox* light_;
 
   Request wanted_, shown_;

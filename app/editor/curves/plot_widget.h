@@ -33,7 +33,7 @@ class PlotWidget : public QWidget {
   void set_cursor(std::optional<double> at);
 
   QSize sizeHint() const override { return {520, 300}; }
-  QSize minimumSizeHint() const override { return {260, 170}; }
+  QSize minimumSizeHint() const override { return {240, 140}; }
 
  signals:
   void readout_changed(const QString& text);

@@ -25,10 +25,12 @@ void FlowLayout::setGeometry(const QRect& rect) {
 QSize FlowLayout::minimumSize() const {
   QSize out;
   for (const QLayoutItem* item : items_) out = out.expandedTo(item->minimumSize());
-  return out;
+  return out.grownBy(contentsMargins());
 }
 
-int FlowLayout::place(const QRect& rect, bool really) const {
+int FlowLayout::place(const QRect& whole, bool really) const {
+  const QMargins margins = contentsMargins();
+  const QRect rect = whole.marginsRemoved(margins);
   int x = rect.x(), y = rect.y(), line = 0;
   for (QLayoutItem* item : items_) {
     const QSize size = item->sizeHint();
@@ -41,7 +43,7 @@ int FlowLayout::place(const QRect& rect, bool really) const {
     x += size.width() + gap_;
     line = std::max(line, size.height());
   }
-  return y + line - rect.y();
+  return y + line - rect.y() + margins.top() + margins.bottom();
 }
 
 }  // namespace etak::editor

@@ -24,7 +24,7 @@ class FlowLayout : public QLayout {
   QSize minimumSize() const override;
 
  private:
-  int place(const QRect& rect, bool really) const;
+  int place(const QRect& whole, bool really) const;
   QList<QLayoutItem*> items_;
   int gap_;
 };

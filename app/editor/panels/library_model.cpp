@@ -115,8 +115,10 @@ void LibraryModel::set_shape(Shape shape) {
 }
 
 void LibraryModel::set_side(int side, double ratio) {
+  const bool shown = ratio != ratio_ && !rows_.empty();
   side_ = side;
   ratio_ = ratio;
+  if (shown) emit dataChanged(index(0), index(rowCount() - 1), {Qt::DecorationRole});
 }
 
 QStringList LibraryModel::classes() const {

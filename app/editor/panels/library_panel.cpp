@@ -101,6 +101,12 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
   connect_list();
 }
 
+// A window that is moved to a screen of another scale has pictures of that scale.
+bool LibraryPanel::event(QEvent* event) {
+  if (event->type() == QEvent::ScreenChangeInternal) model_.set_side(sphere_side, devicePixelRatioF());
+  return QWidget::event(event);
+}
+
 void LibraryPanel::connect_list() {
   connect(search_, &QLineEdit::textChanged, this,
           [this](const QString& text) { narrow([&] { search_for(text); }); });

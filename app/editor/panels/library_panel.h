@@ -40,6 +40,9 @@ class LibraryPanel : public QWidget {
   void wanted(const QString& id);     // the material is to be added to the project
   void favourites_changed(const QSet<QString>& favourites);
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
   void connect_list();
   void make_chips();

@@ -19,7 +19,7 @@
 namespace etak::editor {
 namespace {
 
-constexpr QSize icon_size(92, 46);
+constexpr QSize icon_size(80, 40);
 constexpr int strip_columns = 3;
 
 template <class Names>
@@ -235,11 +235,7 @@ void LightPanel::make_environment() {
   auto* open = new QPushButton(tr("Open a lat-long HDR or EXR\u2026"), &section);
   open->setAccessibleName(tr("Open an environment picture"));
   section.add(open);
-  connect(open, &QPushButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Environment"), document_.folder(),
-                                                      tr("Lat-long pictures (*.hdr *.exr);;All files (*)"));
-    if (!file.isEmpty()) set_environment(file);
-  });
+  connect(open, &QPushButton::clicked, this, &LightPanel::open_environment);
   view_.in(section);
   view_.number({tr("Environment turn"), tr("Turn \u00b0"),
                 tr("Turn of the environment about the upright axis, in degrees")},
@@ -252,6 +248,12 @@ void LightPanel::make_environment() {
                 tr("In stops (EV): each one more doubles the light; the same number as in the tab View"),
                 tr("exposure")},
                exposure_range, stops_of_exposure());
+}
+
+void LightPanel::open_environment() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Environment"), document_.folder(),
+                                                    tr("Lat-long pictures (*.hdr *.exr);;All files (*)"));
+  if (!file.isEmpty()) set_environment(file);
 }
 
 void LightPanel::set_environment(const QString& name) {

@@ -14,6 +14,8 @@ class LightPanel : public PanelScroll {
 
  public:
   explicit LightPanel(Document& document, QWidget* parent = nullptr);
+  /// Asks for the file of an environment.
+  void open_environment();
 
  protected:
   void showEvent(QShowEvent* event) override;

@@ -17,11 +17,6 @@
 #include "core/render/display.h"
 
 namespace etak::editor {
-namespace {
-
-constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like, Tone::false_color};
-
-// The titles that the registry gives the tone curves.
 QStringList tone_titles() {
   QStringList out;
   for (const Tone tone : tones)
@@ -29,8 +24,6 @@ QStringList tone_titles() {
       if (row.kind == LightRowKind::tone && row.id == name(tone)) out << qt_text(row.title);
   return out;
 }
-
-}  // namespace
 
 struct ViewPanel::ReadDisplays {
   std::vector<OcioDisplayInfo> displays;
@@ -209,15 +202,7 @@ void ViewPanel::show_displays(const ReadDisplays& read) {
 void ViewPanel::make_shape() {
   Section& section = add_section(tr("Shape"));
   view_.in(section).choice({tr("Shape"), "", tr("What the material is shown on")},
-                           {tr("sphere"), tr("quad"), tr("wedge of a parameter")},
-                           Computed{[](const ProjectView& v) {
-                                      return v.wedge.on ? 2 : v.shape == etak::Shape::quad ? 1 : 0;
-                                    },
-                                    [](ProjectView& v, int row) {
-                                      v.wedge.on = row == 2;
-                                      if (row != 2)
-                                        v.shape = row == 1 ? etak::Shape::quad : etak::Shape::sphere;
-                                    }});
+                           {tr("sphere"), tr("quad"), tr("wedge of a parameter")}, shape_of_view());
   const auto wedge_on = [](const ProjectView& v) { return v.wedge.on; };
   auto* parameter = new QuietComboBox(tr("Parameter of the wedge"), &section);
   section.add(tr("Wedge of"), parameter,

@@ -15,6 +15,21 @@ inline auto stops_of_exposure() {
                   [](ProjectView& v, double stops) { v.exposure = std::exp2(stops); }};
 }
 
+/// What the material is shown on, as a choice of three: sphere, quad, wedge.
+inline auto shape_of_view() {
+  return Computed{[](const ProjectView& v) { return v.wedge.on               ? 2
+                                                    : v.shape == Shape::quad ? 1
+                                                                             : 0; },
+                  [](ProjectView& v, int row) {
+                    v.wedge.on = row == 2;
+                    if (row != 2) v.shape = row == 1 ? Shape::quad : Shape::sphere;
+                  }};
+}
+
+/// The tone curves of the plain display, and the titles that the registry gives them.
+inline constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like, Tone::false_color};
+QStringList tone_titles();
+
 /// Fields for exposure, display, backdrop, shape, comparison and overlays.
 class ViewPanel : public PanelScroll {
   Q_OBJECT

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bar above the viewport, the size of the window, the history and the preferences, by keys and mouse.
+#include <QDockWidget>
+#include <QMenu>
+#include <QToolButton>
+#include <QUndoView>
+
+#include "app/editor/fields/number_field.h"
+#include "app/editor/panels/inspector/sections.h"
+#include "app/editor/panels/preferences.h"
+#include "app/editor/panels/view_bar.h"
+#include "core/render/view_moves.h"
+#include "tests/gui/editor_hands.h"
+#include "tests/gui/gui_test.h"
+
+using namespace etak;
+using namespace etak::editor;
+
+namespace {
+
+ViewBar& bar_of(TestWindow& window) {
+  return *window->findChild<ViewBar*>();
+}
+
+const ProjectView& seen_by(TestWindow& window) {
+  return window->document().project().view;
+}
+
+}  // namespace
+
+class EditorBar : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void every_switch_has_a_name_a_tip_and_a_place_in_the_tab_order() {
+    TestWindow window(true);
+    show_active(window);
+    ViewBar& bar = bar_of(window);
+    QStringList names;
+    for (QWidget* each : bar.findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+      QVERIFY2(!each->accessibleName().isEmpty() && !each->toolTip().isEmpty(),
+               each->metaObject()->className());
+      QVERIFY(each->focusPolicy() & Qt::TabFocus);
+      names << each->accessibleName();
+    }
+    QCOMPARE(names.size(), 7);
+    named<QComboBox>(bar, names.front())->setFocus();
+    QStringList walked;
+    for (int i = 0; i < names.size(); ++i) {
+      walked << QApplication::focusWidget()->accessibleName();
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
+    QCOMPARE(walked, names);
+  }
+
+  void environment_exposure_tone_and_shape_go_by_keys() {
+    TestWindow window(true);
+    show_active(window);
+    ViewBar& bar = bar_of(window);
+    auto* environment = named<QComboBox>(bar, "Environment");
+    const std::string first = seen_by(window).lights.environment;
+    QCOMPARE(environment->currentData().toString().toStdString(), first);
+    environment->setFocus();
+    QTest::keyClick(environment, Qt::Key_Down);
+    QVERIFY(seen_by(window).lights.environment != first);
+    auto* exposure = named<FineSpinBox>(bar, "Exposure of the picture");
+    exposure->setFocus();
+    exposure->selectAll();
+    QTest::keyClicks(exposure, "1");
+    QTest::keyClick(exposure, Qt::Key_Return);
+    QCOMPARE(seen_by(window).exposure, 2.0);
+    auto* tone = named<QComboBox>(bar, "Tone curve");
+    QCOMPARE(seen_by(window).tone, Tone::neutral);
+    tone->setFocus();
+    QTest::keyClick(tone, Qt::Key_Up);
+    QCOMPARE(seen_by(window).tone, Tone::plain);
+    auto* shape = named<QComboBox>(bar, "Shown on");
+    shape->setFocus();
+    QTest::keyClick(shape, Qt::Key_Down);
+    QVERIFY(seen_by(window).shape == Shape::quad);
+    QTest::keyClick(shape, Qt::Key_Down);
+    QVERIFY(seen_by(window).wedge.on);
+    // Looks have steps of undo of their own.
+    QCOMPARE(window->document().view_stack().count(), 4);
+    while (window->document().view_stack().canUndo())
+      QTest::keyClick(window.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::AltModifier);
+    QCOMPARE(exposure->value(), 0.0);
+    QCOMPARE(shape->currentIndex(), 0);
+    QCOMPARE(tone->currentIndex(), 1);
+  }
+
+  void buttons_switch_comparison_backdrop_and_overlays() {
+    TestWindow window(true);
+    show_active(window);
+    ViewBar& bar = bar_of(window);
+    auto* compare = named<QToolButton>(bar, "Compare A and B");
+    QTest::mouseClick(compare, Qt::LeftButton);
+    QVERIFY(seen_by(window).compare.on && compare->isChecked());
+    QTest::keyClick(window.window.get(), Qt::Key_T, Qt::ControlModifier);
+    QVERIFY(!seen_by(window).compare.on && !compare->isChecked());
+    const auto choose = [&](const QString& button, const QString& title) {
+      QMenu* menu = named<QToolButton>(bar, button)->menu();
+      for (QAction* each : menu->actions())
+        if (each->text().remove('&') == title) {
+          menu->popup(bar.mapToGlobal(QPoint()));
+          QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(each).center());
+          return each->isChecked();
+        }
+      return false;
+    };
+    QVERIFY(seen_by(window).backdrop.ground);
+    QVERIFY(!choose("Backdrop", "Ground"));
+    QVERIFY(!seen_by(window).backdrop.ground);
+    QVERIFY(choose("Overlays", "Energy overlay"));
+    QVERIFY(window->look().energy_overlay);
+    QTest::keyClick(window.window.get(), Qt::Key_2, Qt::ControlModifier);
+    QVERIFY(!window->look().energy_overlay);
+    QVERIFY(!choose("Overlays", "Show textures"));
+    QVERIFY(!window->look().textured);
+  }
+
+  void the_ball_has_half_of_the_usual_window_and_940_pixels_are_enough() {
+    TestWindow window(true);
+    window->resize(1280, 800);
+    show_active(window);
+    QVERIFY(window->use_library_material("gold"));
+    QVERIFY(window.settle());
+    const QSize size = window->viewport().size();
+    const PlaceUnder middle = place_under(window->viewport().state(), size.width(), size.height(),
+                                          size.width() / 2.0, size.height() / 2.0);
+    QVERIFY2(2 * middle.radius_pixels >= 400, qPrintable(QString::number(2 * middle.radius_pixels)));
+    QVERIFY2(window->minimumSizeHint().width() <= 940,
+             qPrintable(QString::number(window->minimumSizeHint().width())));
+    window->resize(940, 700);
+    QTRY_COMPARE(window->width(), 940);
+    for (QWidget* each : bar_of(window).findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+      QVERIFY(bar_of(window).rect().contains(each->geometry()));
+  }
+
+  void a_click_in_the_history_goes_back() {
+    TestWindow window(true);
+    show_active(window);
+    QVERIFY(window->use_library_material("gold"));
+    QVERIFY(window->use_library_material("copper"));
+    auto* dock = window->findChild<QDockWidget*>("history");
+    QVERIFY(dock->isHidden());
+    dock->show();
+    dock->raise();
+    auto* list = named<QUndoView>(*window, "Edits");
+    QTRY_VERIFY(list->isVisible());
+    QCOMPARE(list->model()->rowCount(), 3);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualRect(list->model()->index(1, 0)).center());
+    QCOMPARE(window->document().project().materials.size(), std::size_t(1));
+  }
+
+  void preferences_hold_for_what_is_new() {
+    TestWindow window(true);
+    show_active(window);
+    QVERIFY(window->use_library_material("gold"));
+    QTest::keyClick(window.window.get(), Qt::Key_Comma, Qt::ControlModifier);
+    auto* dialog = window->findChild<PreferencesDialog*>();
+    QVERIFY(dialog != nullptr);
+    auto* model = named<QuietComboBox>(*dialog, "Model of new materials");
+    model->setCurrentIndex(model->findData("ggx-exact"));
+    auto* look = named<QuietComboBox>(*dialog, "New projects begin with");
+    look->setFocus();
+    QTest::keyClick(look, Qt::Key_Down);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    const std::string before = window->document().material()->specular_model;
+    QVERIFY(before != "ggx-exact");
+    QVERIFY(window->use_library_material("copper"));
+    QCOMPARE(window->document().material()->specular_model, std::string("ggx-exact"));
+    QTest::keyClick(window.window.get(), Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(window->document().material()->specular_model, std::string("ggx-exact"));
+    QCOMPARE(window->document().project().materials.front().specular_model, before);
+    answer(QMessageBox::Discard);
+    QTest::keyClick(window.window.get(), Qt::Key_N, Qt::ControlModifier);
+    QVERIFY(is_measure(seen_by(window)));
+  }
+};
+
+ETAK_GUI_TEST(EditorBar, "editor_bar")
+#include "test_editor_bar.moc"
