@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <QPixmap>
 #include <QPlainTextEdit>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QThread>
@@ -198,6 +199,18 @@ void show_state(Window& window, const QString& state) {
          emit window.view_panel().pin_asked();
          window.use_library_material("copper");
          window.inspector_tabs().setCurrentIndex(2);
+       }},
+      {"photograph",
+       [&] {
+         const QString file = own_files().filePath("photograph.png");
+         settle(window);
+         window.viewport().grab_picture(true).save(file);
+         window.take_photograph(file);
+         window.use_library_material("copper");
+         window.inspector_tabs().setCurrentIndex(2);
+         settle(window);
+         window.view_panel().verticalScrollBar()->setValue(
+             window.view_panel().verticalScrollBar()->maximum());
        }},
       {"engine",
        [&] {

@@ -90,6 +90,8 @@ class Window : public QMainWindow {
   /// table shows first what goes where. For a project, the
   /// user is asked whether to open it or to add its materials. Other files are refused with a message.
   void take_files(const QStringList& paths);
+  /// Reads a photograph that stands in place of side B.
+  void take_photograph(const QString& file);
   PackDialog* pack_to(const QString& folder);
   /// Offers the copies of unsaved changes that killed runs left behind, until one is recovered. Returns
   /// whether one is: opened() is then emitted at the end.
@@ -97,7 +99,8 @@ class Window : public QMainWindow {
   bool offer_recovery(const std::function<RecoveryChoice(const Recovery&)>& ask = {});
   /// Whether files are read or written, an environment is computed, or a picture is in work.
   bool is_busy() const {
-    return busy_ > 0 || comparing_ > 0 || environment_coming_ || viewport_->is_drawing();
+    return busy_ > 0 || comparing_ > 0 || difference_timer_.isActive() || environment_coming_ ||
+           viewport_->is_drawing();
   }
   /// Shows the viewport alone, without menus, panels and tabs, or the window as it was before.
   void show_viewport_only(bool on);
@@ -211,6 +214,10 @@ class Window : public QMainWindow {
   void load_environment();
   void show_environment_work(bool on);
   void show_difference();
+  void compare(const std::function<DifferencePicture()>& work,
+               void (ViewPanel::*show)(const DifferencePicture*));
+  void choose_photograph();
+  void show_photograph(const QImage& photograph, const QString& name);  // null: none
   void copy_command();
   QString own_folder() const;
   void make_own_menu(QMenu* menu);
@@ -237,9 +244,10 @@ class Window : public QMainWindow {
   Worker heavy_;
   Worker comparer_;  // compares engines with the exact material
   int busy_ = 0;
-  int comparison_ = 0, comparing_ = 0;  // number of the last comparison, and of the one in work; 0: none
-  bool alone_ = false;                  // the viewport is shown alone
-  QByteArray beside_, below_;           // panels and tabs as they were before
+  int comparison_ = 0,
+      comparing_ = 0;          // number of the last comparison, and how many of its parts are in work
+  bool alone_ = false;         // the viewport is shown alone
+  QByteArray beside_, below_;  // panels and tabs as they were before
   bool seen_frame_ = false, patch_compares_ = false;
 
   Viewport* viewport_ = nullptr;
@@ -264,7 +272,7 @@ class Window : public QMainWindow {
   ViewBar* view_bar_ = nullptr;
   Preferences preferences_;
   QString let_go_;  // what was told of a measurement that a typed colour has replaced
-  QTimer refresh_timer_;
+  QTimer refresh_timer_, difference_timer_;
 
   // The environment that is shown, and the key of the one that is wanted.
   std::shared_ptr<const Environment> environment_;

@@ -73,6 +73,10 @@ void Window::connect_viewport() {
   refresh_timer_.setSingleShot(true);
   refresh_timer_.setInterval(0);
   connect(&refresh_timer_, &QTimer::timeout, this, &Window::refresh);
+  difference_timer_.setSingleShot(true);
+  difference_timer_.setInterval(150);
+  connect(&difference_timer_, &QTimer::timeout, this, &Window::show_difference);
+  connect(inspector_tabs_, &QTabWidget::currentChanged, &difference_timer_, qOverload<>(&QTimer::start));
   const auto soon = [this] { refresh_timer_.start(); };
   const auto in_hand = [this] {
     end_preview();
@@ -102,8 +106,11 @@ void Window::connect_viewport() {
     show_switches();
     soon();
   });
+  connect(view_panel_, &ViewPanel::photograph_asked, this, &Window::choose_photograph);
+  connect(view_panel_, &ViewPanel::photograph_ended, this, [this] { show_photograph({}, {}); });
   connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
     if (document_.material() == nullptr) return;
+    show_photograph({}, {});
     document_.change_view(tr("pin as B"), next_press_id(), [this](ProjectView& view) {
       view.compare.pinned = *document_.material();
       view.compare.on = true;
@@ -113,6 +120,7 @@ void Window::connect_viewport() {
   connect(viewport_, &Viewport::state_edited, this, [this](const ViewState& state, int press_id) {
     look_.camera = state.camera;
     look_.separator = state.separator;
+    if (document_.project().view.compare.on) difference_timer_.start();
     document_.change_view(tr("light in the viewport"), press_id, [&](ProjectView& view) {
       LightSetup lights = state.lights;
       lights.environment = view.lights.environment;
@@ -191,32 +199,48 @@ void Window::refresh() {
 
 // Of several requests in a row, the last one counts.
 void Window::show_difference() {
-  const Engine* engine = find_engine(look_.engine);
   comparer_.clear();
+  ++comparison_;
   comparing_ = 0;
-  if (engine == nullptr) return view_panel_->show_difference(nullptr);
-  Look own = look_;
-  own.engine.clear();
-  ViewState state = view_state_of(document_, own, environment_, texture_view_->textures());
-  state.split = false;
-  state.tone = engine->tone;
-  if (state.shape == ViewShape::wedge) state.shape = ViewShape::sphere;
-  constexpr int side = 160;
-  comparing_ = ++comparison_;
+  const ProjectView& view = document_.project().view;
+  if (const Engine* engine = find_engine(look_.engine); engine != nullptr) {
+    Look own = look_;
+    own.engine.clear();
+    ViewState state = view_state_of(document_, own, environment_, texture_view_->textures());
+    state.split = false;
+    state.tone = engine->tone;
+    if (state.shape == ViewShape::wedge) state.shape = ViewShape::sphere;
+    constexpr int side = 160;
+    compare(
+        [engine, state] {
+          const Scene scene = view_tiles(state, side, side).front().scene;
+          return engine_difference(*engine, scene, state.environment.get(), 1);
+        },
+        &ViewPanel::show_difference);
+  } else {
+    view_panel_->show_difference(nullptr);
+  }
+  constexpr int width = 240;
+  if (!view.compare.on || view.wedge.on)
+    view_panel_->show_sides(nullptr);
+  else if (inspector_tabs_->currentWidget() == view_panel_)
+    compare(viewport_->difference_work(width), &ViewPanel::show_sides);
+}
+
+void Window::compare(const std::function<DifferencePicture()>& work,
+                     void (ViewPanel::*show)(const DifferencePicture*)) {
+  ++comparing_;
   in_background(
       comparer_, this,
-      [engine, state] {
+      [work] {
         DifferencePicture out;
-        (void)failure_of([&] {
-          const Scene scene = view_tiles(state, side, side).front().scene;
-          out = engine_difference(*engine, scene, state.environment.get(), 1);
-        });
+        (void)failure_of([&] { out = work(); });
         return out;
       },
-      [this, number = comparison_](const DifferencePicture& difference) {
-        if (number != comparing_) return;
-        comparing_ = 0;
-        view_panel_->show_difference(difference.map.width > 0 ? &difference : nullptr);
+      [this, number = comparison_, show](const DifferencePicture& difference) {
+        if (number != comparison_) return;
+        --comparing_;
+        (view_panel_->*show)(difference.map.width > 0 ? &difference : nullptr);
       });
 }
 

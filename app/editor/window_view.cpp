@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is switched by actions that the bar above the viewport and the menu View share, the history and the preferences.
 #include <QAction>
+#include <QColorSpace>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QHBoxLayout>
+#include <QImageReader>
 #include <QLabel>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QUndoView>
+#include <algorithm>
 
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector/sections.h"
@@ -107,6 +111,45 @@ void Window::make_view_bar(QWidget* parent) {
       });
   compare_action_->setIconText(tr("A | B"));
   view_bar_->add(compare_action_);
+}
+
+void Window::choose_photograph() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Photograph as side B"), beside_project(),
+                                   tr("Photographs (*.png *.jpg *.jpeg *.bmp *.webp);;All files (*)"));
+  if (!file.isEmpty()) take_photograph(file);
+}
+
+void Window::take_photograph(const QString& file) {
+  struct Read {
+    QImage picture;
+    QString failure;
+  };
+  read_or_write(
+      [file] {
+        constexpr int most = 2048;  // what a screen shows of it
+        QImageReader reader(file);
+        reader.setAutoTransform(true);
+        Read out{reader.read(), {}};
+        if (out.picture.isNull()) out.failure = tr("%1: %2").arg(file, reader.errorString());
+        if (out.picture.colorSpace().isValid()) out.picture.convertToColorSpace(QColorSpace::SRgb);
+        if (std::max(out.picture.width(), out.picture.height()) > most)
+          out.picture = out.picture.scaled(most, most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+        return out;
+      },
+      [this, file](const Read& read) {
+        if (!read.failure.isEmpty()) return show_problems(tr("No photograph was taken"), {read.failure});
+        show_photograph(read.picture, QFileInfo(file).fileName());
+        document_.change_view(tr("photograph as B"), next_press_id(),
+                              [](ProjectView& view) { view.compare.on = true; });
+      });
+}
+
+void Window::show_photograph(const QImage& photograph, const QString& name) {
+  if (photograph.isNull() && look_.photograph.empty()) return;
+  look_.photograph = name.toStdString();
+  viewport_->set_photograph(photograph);
+  look_changed();
 }
 
 QDockWidget* Window::make_history() {

@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "app/viewport/sides.h"
+
 namespace etak {
 namespace {
 
@@ -41,6 +43,8 @@ void Overlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRect all = rect();
+  if (content_.separator && !content_.photograph.isNull())
+    paint_photograph(painter, content_.photograph, all, *content_.separator);
   if (content_.separator) {
     const double x = *content_.separator;
     painter.setPen(QPen(shade, 3));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QImage>
 #include <QString>
 #include <QWidget>
 #include <optional>
@@ -19,6 +20,7 @@ class Overlay : public QWidget {
     bool operator==(const Mark&) const = default;
   };
   struct Content {
+    QImage photograph;                // right of the separator
     std::optional<double> separator;  // in widget pixels from the left
     QString left_name, right_name;
     std::vector<Mark> marks;

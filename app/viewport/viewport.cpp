@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/viewport.h"
 
+#include <QPainter>
 #include <QResizeEvent>
 
 #include "app/viewport/background.h"
+#include "app/viewport/sides.h"
 #include "app/viewport/viewport_private.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -100,7 +102,8 @@ void Viewport::recover_from_lost_context() {
 
 ViewState Viewport::Private::shown_state() const {
   ViewState out = state;
-  if (flipped && (out.b.specular != nullptr || out.b.diffuse != nullptr)) std::swap(out.a, out.b);
+  if (flipped && !shows_photograph() && (out.b.specular != nullptr || out.b.diffuse != nullptr))
+    std::swap(out.a, out.b);
   return out;
 }
 
@@ -185,6 +188,18 @@ const ViewState& Viewport::state() const {
   return d_->state;
 }
 
+void Viewport::set_photograph(const QImage& photograph) {
+  d_->photograph = photograph;
+  d_->refresh();
+}
+
+std::function<DifferencePicture()> Viewport::difference_work(int width) const {
+  const QSize size(width, std::max(1, width * height() / std::max(1, this->width())));
+  return [state = d_->state, display = d_->display, photograph = d_->photograph, size] {
+    return difference_of_sides(state, display, photograph, size);
+  };
+}
+
 QImage Viewport::grab_picture(bool refined) {
   const QSize size = d_->picture_size();
   ViewState state = d_->shown_state();
@@ -195,8 +210,13 @@ QImage Viewport::grab_picture(bool refined) {
       d_->openers.waitForDone();
       d_->display = etak::open_display(s.ocio_config, s.ocio_display, s.ocio_view, s.tone);
     }
-    if (d_->gl != nullptr) return d_->gl->picture(state, d_->display, size);
-    return cpu_picture(state, d_->display, size, thread_count(0));
+    QImage out = d_->gl != nullptr ? d_->gl->picture(state, d_->display, size)
+                                   : cpu_picture(state, d_->display, size, thread_count(0));
+    if (d_->shows_photograph()) {
+      QPainter painter(&out);
+      paint_photograph(painter, d_->photograph, out.rect(), d_->flipped ? 0 : state.separator * out.width());
+    }
+    return out;
   } catch (const Error& error) {
     d_->refusal = QString::fromUtf8(error.what());
     d_->tell_message();

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/render/sheet.h"
 #include "core/render/view_state.h"
 
 class QAbstractSlider;
@@ -54,6 +55,13 @@ class Viewport : public QWidget {
   /// the state cannot be drawn.
   ///   refined   as in struct Scene; else the picture that is shown while things move
   QImage grab_picture(bool refined = false);
+
+  /// A photograph that stands in place of side b of a comparison, in sRGB; its middle is that of the view. Null: none.
+  void set_photograph(const QImage& photograph);
+
+  /// The work that finds how far side a is from side b, in a picture as wide as the view and `width` pixels wide. Any thread
+  /// may do it; it throws Error.
+  std::function<DifferencePicture()> difference_work(int width) const;
 
   bool is_drawing() const;   // a picture of this state or of an earlier one is still in work
   bool is_hurried() const;   // the user drags, so that pictures may have fewer pixels

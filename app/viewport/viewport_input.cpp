@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "app/viewport/sides.h"
 #include "app/viewport/viewport_private.h"
 #include "core/base/error.h"
 #include "core/color/delta_e.h"
@@ -18,6 +19,11 @@ constexpr double separator_reach = 6;  // pixels from the separator in which a p
 constexpr double mark_reach = 0.15;  // radii from a mark in which a drag does not move it to the cursor first
 constexpr double step_of_wheel = 1.1;   // factor of a notch of the wheel
 constexpr double zoom_of_drag = 1.005;  // factor of a pixel of a drag
+
+Lab lab_of_codes(const std::array<int, 3>& code) {
+  const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
+  return to_lab(srgb_decode(Srgb8{byte(code[0]), byte(code[1]), byte(code[2])}));
+}
 
 }  // namespace
 
@@ -253,10 +259,17 @@ std::optional<PatchUnderCursor> Viewport::patch_at(const QPointF& position) cons
       for (std::size_t c = 0; c < 3; ++c) pixel.values[c] = static_cast<float>(mean[c]);
       const QColor color = shown(pixel, d_->display, 1).pixelColor(0, 0);
       code = {color.red(), color.green(), color.blue()};
-      const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
-      return to_lab(srgb_decode(Srgb8{byte(code[0]), byte(code[1]), byte(code[2])}));
+      return lab_of_codes(code);
     };
-    const Lab a = lab_of(patch.a, out.code_a), b = lab_of(patch.b, out.code_b);
+    const Lab a = lab_of(patch.a, out.code_a);
+    Lab b = lab_of(patch.b, out.code_b);
+    if (d_->shows_photograph()) {
+      constexpr double side = 5;
+      const auto codes = photograph_codes(d_->photograph, rect(), position, side / ratio);
+      if (!codes) return std::nullopt;
+      out.code_b = *codes;
+      b = lab_of_codes(out.code_b);
+    }
     for (std::size_t c = 0; c < 3; ++c) out.difference[c] = out.code_b[c] - out.code_a[c];
     out.delta_e = delta_e2000(a, b);
     out.on_object = std::any_of(patch.a.values.begin(), patch.a.values.end(),
@@ -292,7 +305,8 @@ void Viewport::Private::refresh_overlay() {
     content.left_name =
         tr("%1 above, %2 below").arg(content.left_name, QString::fromStdString(shown.b.label));
   if (state.split && state.shape != ViewShape::wedge) {
-    content.separator = separator_x();
+    content.separator = shows_photograph() && flipped ? 0 : separator_x();
+    if (shows_photograph()) content.photograph = photograph;
     content.right_name = QString::fromStdString(shown.b.label);
   }
   if (const bool lights = drag == Drag::light || shift_held || light_by_keys;

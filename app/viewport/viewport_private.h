@@ -25,6 +25,7 @@ class Viewport::Private {
   GlView* gl = nullptr;  // either gl or cpu draws; the other is null
   CpuView* cpu = nullptr;
   Overlay* overlay = nullptr;
+  QImage photograph;
   QString no_gl, refusal, display_failure;
   QString last_message;
   double frame_ms = 0;
@@ -62,6 +63,10 @@ class Viewport::Private {
   // The place of the scene below a point of the widget; none for a state that cannot be drawn.
   std::optional<PlaceUnder> under(const QPointF& position) const;
   double separator_x() const;
+  /// Whether the photograph is shown as side b.
+  bool shows_photograph() const {
+    return state.split && state.shape != ViewShape::wedge && !photograph.isNull();
+  }
   bool on_separator(const QPointF& position) const;
   void edited();  // the user has changed the state: draws it and emits state_edited()
   void begin(Drag kind, const QPointF& position);

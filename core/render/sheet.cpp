@@ -28,18 +28,8 @@ Image three_channels(const Image& picture) {
 }
 
 // Colours of the map at 0, 1/3, 2/3 and all of its scale, linear.
-constexpr double largest_shown_de = 10;
 constexpr std::array<Vec3, 4> map_colors{
     {{0, 0, 0}, {0.16, 0.01, 0.22}, {0.85, 0.16, 0.02}, {1, 0.95, 0.55}}};
-
-Vec3 map_color(double de) {
-  const double place = std::clamp(de / largest_shown_de, 0.0, 1.0) * (map_colors.size() - 1);
-  const auto first = std::min(static_cast<std::size_t>(place), map_colors.size() - 2);
-  Vec3 out;
-  for (std::size_t c = 0; c < 3; ++c)
-    out[c] = std::lerp(map_colors[first][c], map_colors[first + 1][c], place - static_cast<double>(first));
-  return out;
-}
 
 Lab displayed_color(const Image& picture, std::size_t pixel, double exposure, Tone tone) {
   Vec3 linear = toned(&picture.values[static_cast<std::size_t>(picture.channels) * pixel], exposure, tone);
@@ -48,6 +38,15 @@ Lab displayed_color(const Image& picture, std::size_t pixel, double exposure, To
 }
 
 }  // namespace
+
+Vec3 difference_color(double de) {
+  const double place = std::clamp(de / largest_shown_de, 0.0, 1.0) * (map_colors.size() - 1);
+  const auto first = std::min(static_cast<std::size_t>(place), map_colors.size() - 2);
+  Vec3 out;
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = std::lerp(map_colors[first][c], map_colors[first + 1][c], place - static_cast<double>(first));
+  return out;
+}
 
 DifferencePicture difference_picture(const Image& reference, const Image& picture, double exposure,
                                      Tone tone) {
@@ -58,7 +57,7 @@ DifferencePicture difference_picture(const Image& reference, const Image& pictur
     if (picture.values[4 * i + 3] < 1) continue;
     const double de = delta_e2000(displayed_color(reference, i, exposure, tone),
                                   displayed_color(picture, i, exposure, tone));
-    const Vec3 color = map_color(de);
+    const Vec3 color = difference_color(de);
     for (std::size_t c = 0; c < 3; ++c) out.map.values[3 * i + c] = static_cast<float>(color[c]);
     out.mean_de += de;
     out.max_de = std::max(out.max_de, de);

@@ -25,6 +25,10 @@ struct DifferencePicture {
   Image map;
   double mean_de = 0, max_de = 0;
 };
+/// The colour of a CIEDE2000 in the map, linear, and the value from which on it is the last one.
+Vec3 difference_color(double de);
+inline constexpr double largest_shown_de = 10;
+
 /// Both pictures in the form of render_cpu() and of the same size; their colours are taken as an sRGB display
 /// shows them: times `exposure`, through `tone`, clamped to [0, 1].
 DifferencePicture difference_picture(const Image& reference, const Image& picture, double exposure,

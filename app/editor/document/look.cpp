@@ -85,6 +85,7 @@ ViewState view_state_of(const Document& document, const Look& look,
     out.a = shown_as(*engine, std::move(out.a));
     if (&m != &nothing) out.a.label = m.name + ", " + std::string(out.a.specular->title);
   }
+  if (!look.photograph.empty()) out.b.label = look.photograph;
   if (out.split) {
     out.a.label.insert(0, "A: ");
     out.b.label.insert(0, "B: ");

@@ -8,15 +8,16 @@
 
 #include "app/editor/fields/add_button.h"
 #include "app/editor/fields/path_edit.h"
+#include "app/editor/panels/difference_map.h"
 #include "app/editor/panels/inspector/model_list.h"
 #include "app/viewport/background.h"
-#include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"
 #include "core/color/ocio.h"
 #include "core/light/rows.h"
 #include "core/render/display.h"
 
 namespace etak::editor {
+
 QStringList tone_titles() {
   QStringList out;
   for (const Tone tone : tones)
@@ -73,9 +74,7 @@ void ViewPanel::make_engine() {
                }});
   difference_ = quiet_label(tr("Difference to the exact material"), &section);
   section.add(difference_);
-  difference_map_ = new QLabel(&section);
-  difference_map_->setAccessibleName(tr("Difference to the exact material, in colour"));
-  difference_map_->setToolTip(tr("dE2000 of each place: black 0, violet, orange, pale yellow 10 and more"));
+  difference_map_ = new DifferenceMap(tr("Difference to the exact material, in colour"), &section);
   section.add(difference_map_);
   show_difference(nullptr);
 }
@@ -86,7 +85,7 @@ void ViewPanel::show_difference(const DifferencePicture* difference) {
   difference_map_->setVisible(shown);
   QString text = tr("Whatever is chosen changes no material");
   if (shown) {
-    difference_map_->setPixmap(QPixmap::fromImage(qt_image(to_codes(difference->map, 1, Transfer::srgb))));
+    difference_map_->show_map(*difference);
     text = tr("dE2000 to the exact material: mean %1, largest %2. %3")
                .arg(difference->mean_de, 0, 'g', 3)
                .arg(difference->max_de, 0, 'g', 3)
@@ -94,6 +93,16 @@ void ViewPanel::show_difference(const DifferencePicture* difference) {
     if (!engine->not_drawn.empty()) text += tr(". Not drawn: %1").arg(qt_text(engine->not_drawn));
   }
   difference_->setText(text);
+}
+
+void ViewPanel::show_sides(const DifferencePicture* difference) {
+  sides_map_->setVisible(difference != nullptr);
+  sides_->setVisible(difference != nullptr);
+  if (difference == nullptr) return;
+  sides_map_->show_map(*difference);
+  sides_->setText(tr("dE2000 of A to B over the object, as the display shows both: mean %1, largest %2")
+                      .arg(difference->mean_de, 0, 'g', 3)
+                      .arg(difference->max_de, 0, 'g', 3));
 }
 
 void ViewPanel::make_display() {
@@ -259,13 +268,23 @@ void ViewPanel::make_compare() {
       add_button<QPushButton>(line, tr("Pin as B"), tr("Keep the material as it is now as side B (Ctrl+B)"),
                               tr("Pin the material as side B"));
   connect(pin, &QPushButton::clicked, this, &ViewPanel::pin_asked);
-  auto* unpin = add_button<QPushButton>(line, tr("Unpin"), {}, tr("Unpin side B"));
+  const auto* photograph = add_button<QPushButton>(
+      line, tr("Photo\u2026"),
+      tr("A photograph as side B. Zoom and move the picture until the object lies on it"),
+      tr("Photograph as side B"));
+  connect(photograph, &QPushButton::clicked, this, &ViewPanel::photograph_asked);
+  auto* unpin = add_button<QPushButton>(line, tr("Unpin"), tr("The material in hand is side B again"),
+                                        tr("Unpin side B"));
   connect(unpin, &QPushButton::clicked, this, [this] {
+    emit photograph_ended();
     document_.change_view(tr("unpin B"), next_press_id(), [](ProjectView& v) { v.compare.pinned.reset(); });
   });
-  const auto has_pinned = [](const ProjectView& v) { return v.compare.pinned.has_value(); };
-  view_.shows({unpin}, has_pinned, [pinned](const ProjectView& view) {
-    pinned->setText(view.compare.pinned
+  const auto has_pinned = [this](const ProjectView& v) {
+    return v.compare.pinned.has_value() || !look_.photograph.empty();
+  };
+  view_.shows({unpin}, has_pinned, [this, pinned](const ProjectView& view) {
+    pinned->setText(!look_.photograph.empty() ? tr("B is the photograph %1").arg(qt_text(look_.photograph))
+                    : view.compare.pinned
                         ? tr("B is %1, as it was when pinned").arg(qt_text(view.compare.pinned->name))
                         : tr("B is the material in hand; choose another model for it, or pin one"));
   });
@@ -283,6 +302,11 @@ void ViewPanel::make_compare() {
   });
   patch_ = quiet_label(tr("Difference under the cursor"), &section);
   section.add(patch_);
+  sides_ = quiet_label(tr("Difference of A and B"), &section);
+  section.add(sides_);
+  sides_map_ = new DifferenceMap(tr("Difference of A and B, in colour"), &section);
+  section.add(sides_map_);
+  show_sides(nullptr);
 }
 
 void ViewPanel::show_patch(const QString& difference) {

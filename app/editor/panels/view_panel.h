@@ -15,6 +15,8 @@ inline auto stops_of_exposure() {
                   [](ProjectView& v, double stops) { v.exposure = std::exp2(stops); }};
 }
 
+class DifferenceMap;
+
 /// What the material is shown on, as a choice of three: sphere, quad, wedge.
 inline auto shape_of_view() {
   return Computed{[](const ProjectView& v) { return v.wedge.on               ? 2
@@ -42,10 +44,14 @@ class ViewPanel : public PanelScroll {
   void show_patch(const QString& text);
   /// Shows how far the engine is from the exact material. Null: nothing.
   void show_difference(const DifferencePicture* difference);
+  /// Shows how far the sides of a comparison are from each other. Null: nothing.
+  void show_sides(const DifferencePicture* difference);
 
  signals:
   void look_changed();
   void pin_asked();
+  void photograph_asked();
+  void photograph_ended();
 
  private:
   void make_display();
@@ -64,7 +70,8 @@ class ViewPanel : public PanelScroll {
   FieldsOf<ProjectView> view_;
   FieldsOf<Look> overlays_;
   QuietComboBox *display_ = nullptr, *view_of_display_ = nullptr;
-  QLabel *patch_ = nullptr, *config_ = nullptr, *difference_ = nullptr, *difference_map_ = nullptr;
+  QLabel *patch_ = nullptr, *config_ = nullptr, *difference_ = nullptr, *sides_ = nullptr;
+  DifferenceMap *difference_map_ = nullptr, *sides_map_ = nullptr;
   Worker pool_;
   std::string filled_config_ = "?";
 };
