@@ -172,6 +172,18 @@ void show_light_state(Window& window, const QString& state) {
   window.inspector_tabs().setCurrentIndex(2);
 }
 
+// Copper beside a picture of the material that was there before.
+void compare_with_photograph(Window& window) {
+  const QString file = own_files().filePath("photograph.png");
+  settle(window);
+  window.viewport().grab_picture(true).save(file);
+  window.take_photograph(file);
+  window.use_library_material("copper");
+  window.inspector_tabs().setCurrentIndex(2);
+  settle(window);
+  window.view_panel().verticalScrollBar()->setValue(window.view_panel().verticalScrollBar()->maximum());
+}
+
 // Brings the window into a state by the function of that name. A state that has no function is that of a new
 // window.
 void show_state(Window& window, const QString& state) {
@@ -200,18 +212,7 @@ void show_state(Window& window, const QString& state) {
          window.use_library_material("copper");
          window.inspector_tabs().setCurrentIndex(2);
        }},
-      {"photograph",
-       [&] {
-         const QString file = own_files().filePath("photograph.png");
-         settle(window);
-         window.viewport().grab_picture(true).save(file);
-         window.take_photograph(file);
-         window.use_library_material("copper");
-         window.inspector_tabs().setCurrentIndex(2);
-         settle(window);
-         window.view_panel().verticalScrollBar()->setValue(
-             window.view_panel().verticalScrollBar()->maximum());
-       }},
+      {"photograph", [&] { compare_with_photograph(window); }},
       {"engine",
        [&] {
          window.look().engine = "unity-urp";

@@ -132,6 +132,7 @@ class Window : public QMainWindow {
   QAction* switch_action(const QString& title, const QString& tip, const QKeySequence& keys,
                          const std::function<bool()>& is_on, const std::function<void()>& act);
   void show_switches();
+  void make_context_menus();
   void ask_preferences();
   ProjectMaterial as_preferred(ProjectMaterial material) const;
   Project fresh_project() const;
@@ -142,6 +143,7 @@ class Window : public QMainWindow {
   void make_edit_menu();
   void make_view_menu();
   void connect_viewport();
+  void connect_comparison();
   void restore();
   void remember();
 
@@ -266,7 +268,8 @@ class Window : public QMainWindow {
   ProblemStrip* problems_ = nullptr;
   QString previewed_;  // id of the library material in the preview
   QAction *undo_ = nullptr, *redo_ = nullptr, *end_preview_ = nullptr;
-  QAction *look_action_ = nullptr, *measure_action_ = nullptr, *compare_action_ = nullptr;
+  QAction *look_action_ = nullptr, *measure_action_ = nullptr, *compare_action_ = nullptr,
+          *perspective_action_ = nullptr;
   QList<QAction*> overlays_;
   std::vector<std::function<void()>> switches_;  // show whether what the actions switch is on
   ViewBar* view_bar_ = nullptr;

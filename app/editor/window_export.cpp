@@ -116,8 +116,9 @@ void Window::copy_command() {
   const ProjectMaterial* m = look_.preview ? &*look_.preview : document_.material();
   if (m == nullptr) return;
   const CommandLine line = render_command(document_.project(), *m, look_.camera, look_.engine);
-  QApplication::clipboard()->setText(qt_text(line.text));
-  QString message = tr("Copied: %1").arg(qt_text(line.text));
+  const QString text = qt_text(line.text) + (look_.perspective ? " --perspective" : "");
+  QApplication::clipboard()->setText(text);
+  QString message = tr("Copied: %1").arg(text);
   if (!line.left_out.empty()) message += tr(". It does not say: %1").arg(qt_text(joined(line.left_out)));
   tell(message);
 }

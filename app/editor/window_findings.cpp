@@ -77,8 +77,8 @@ void Window::go_to_finding(const Finding& finding) {
 void Window::count_findings() {
   const auto [errors, warnings, infos, muted] = findings_->model().counts();
   const int tab = tabs_->indexOf(findings_);
-  tabs_->setTabText(tab,
-                    errors + warnings == 0 ? tr("Findings") : tr("Findings (%1)").arg(errors + warnings));
+  const QString title = errors + warnings == 0 ? tr("Findings") : tr("Findings (%1)").arg(errors + warnings);
+  if (tabs_->tabText(tab) != title) tabs_->setTabText(tab, title);  // which lays out the window again
   tabs_->setTabToolTip(tab, tr("%1 errors, %2 warnings, %3 infos, %4 muted (Ctrl+Shift+F)")
                                 .arg(errors)
                                 .arg(warnings)
@@ -88,7 +88,7 @@ void Window::count_findings() {
   const QColor color = errors > 0     ? QColor(dark ? "#ff7864" : "#b02818")
                        : warnings > 0 ? QColor(dark ? "#ebb41e" : "#8a6000")
                                       : QColor();  // that of the theme
-  tabs_->tabBar()->setTabTextColor(tab, color);
+  if (tabs_->tabBar()->tabTextColor(tab) != color) tabs_->tabBar()->setTabTextColor(tab, color);
 }
 
 void Window::fix_finding(const Finding& finding) {

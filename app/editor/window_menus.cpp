@@ -3,7 +3,9 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -42,6 +44,7 @@ void Window::make_menus() {
   make_file_menu();
   make_edit_menu();
   make_view_menu();
+  make_context_menus();
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   action(help, tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), [this] {
     auto* dialog = new ShortcutsDialog(*this, this);
@@ -62,6 +65,11 @@ void Window::make_file_menu() {
     if (may_lose_changes()) document_.replace(fresh_project(), {}, true);
   });
   action(menu, tr("&Open\u2026"), QKeySequence::Open, [this] { choose_and_open(); });
+  action(menu, tr("Open &folder of textures\u2026"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), [this] {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Folder of textures"), beside_project());
+    if (!folder.isEmpty()) take_files({folder});
+  });
   QMenu* recent = menu->addMenu(tr("Open &recent"));
   recent->setAccessibleName(tr("Recent files"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fill_recent(recent); });
@@ -99,6 +107,9 @@ void Window::make_edit_menu() {
   action(menu, tr("&Duplicate materials"), QKeySequence(Qt::CTRL | Qt::Key_D),
          [this] { emit project_panel_->copy_asked(); });
   action(menu, tr("Materials &by mask\u2026"), QKeySequence(Qt::CTRL | Qt::Key_M), [this] { ask_mask(); });
+  // The right button on the project's list shows these actions too; their keys are those of the menu.
+  for (QAction* each : menu->actions())
+    if (each->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_D)) project_panel_->list().addAction(each);
   // The key Del works in the project panel only, because text fields need it wherever they have the focus.
   auto* remove = action(menu, tr("Re&move materials"), QKeySequence::Delete,
                         [this] { emit project_panel_->remove_asked(); });
@@ -126,6 +137,7 @@ void Window::make_view_menu() {
   end_preview_ =
       action(menu, tr("E&nd the preview"), QKeySequence(Qt::Key_Escape), [this] { end_preview(); });
   end_preview_->setEnabled(false);
+  menu->addAction(perspective_action_);
   menu->addAction(compare_action_);
   action(menu, tr("&Pin as B"), QKeySequence(Qt::CTRL | Qt::Key_B),
          [this] { emit view_panel_->pin_asked(); });
@@ -167,6 +179,32 @@ void Window::make_view_menu() {
   add(tr("&As the desktop"), "desktop");
   add(tr("&Dark"), name(Theme::dark));
   add(tr("&Light"), name(Theme::light));
+}
+
+void Window::make_context_menus() {
+  auto* list = &project_panel_->list();
+  auto* rename = new QAction(tr("&Rename"), list);
+  connect(rename, &QAction::triggered, list, [list] { list->edit(list->currentIndex()); });
+  list->insertAction(list->actions().value(0), rename);
+  list->addActions(project_panel_->actions());  // that of the key Del
+  list->setContextMenuPolicy(Qt::ActionsContextMenu);
+  viewport_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(viewport_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
+    if (QApplication::keyboardModifiers() & Qt::AltModifier) return;  // Alt and the right button zoom
+    auto* menu = new QMenu(viewport_);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setAccessibleName(tr("Menu of the viewport"));
+    menu->addAction(tr("&Frame the object"), viewport_, &Viewport::frame_object);
+    menu->addAction(tr("&Reset the camera"), viewport_, &Viewport::reset_camera);
+    menu->addActions({perspective_action_, compare_action_});
+    menu->addAction(tr("&Pin as B"), this, [this] { emit view_panel_->pin_asked(); });
+    menu->addSeparator();
+    menu->addActions(overlays_);
+    menu->addSeparator();
+    menu->addAction(tr("Copy as command &line"), this, [this] { copy_command(); });
+    menu->addAction(tr("&Save picture\u2026"), this, [this] { save_picture(); });
+    menu->popup(viewport_->mapToGlobal(at));
+  });
 }
 
 }  // namespace etak::editor

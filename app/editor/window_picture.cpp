@@ -73,10 +73,7 @@ void Window::connect_viewport() {
   refresh_timer_.setSingleShot(true);
   refresh_timer_.setInterval(0);
   connect(&refresh_timer_, &QTimer::timeout, this, &Window::refresh);
-  difference_timer_.setSingleShot(true);
-  difference_timer_.setInterval(150);
-  connect(&difference_timer_, &QTimer::timeout, this, &Window::show_difference);
-  connect(inspector_tabs_, &QTabWidget::currentChanged, &difference_timer_, qOverload<>(&QTimer::start));
+  connect_comparison();
   const auto soon = [this] { refresh_timer_.start(); };
   const auto in_hand = [this] {
     end_preview();
@@ -105,16 +102,6 @@ void Window::connect_viewport() {
   connect(view_panel_, &ViewPanel::look_changed, this, [this, soon] {
     show_switches();
     soon();
-  });
-  connect(view_panel_, &ViewPanel::photograph_asked, this, &Window::choose_photograph);
-  connect(view_panel_, &ViewPanel::photograph_ended, this, [this] { show_photograph({}, {}); });
-  connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
-    if (document_.material() == nullptr) return;
-    show_photograph({}, {});
-    document_.change_view(tr("pin as B"), next_press_id(), [this](ProjectView& view) {
-      view.compare.pinned = *document_.material();
-      view.compare.on = true;
-    });
   });
 
   connect(viewport_, &Viewport::state_edited, this, [this](const ViewState& state, int press_id) {
@@ -146,6 +133,23 @@ void Window::connect_viewport() {
   connect(tabs_, &QTabWidget::currentChanged, this, [this] {
     show_shader();
     show_curves();
+  });
+}
+
+void Window::connect_comparison() {
+  difference_timer_.setSingleShot(true);
+  difference_timer_.setInterval(150);
+  connect(&difference_timer_, &QTimer::timeout, this, &Window::show_difference);
+  connect(inspector_tabs_, &QTabWidget::currentChanged, &difference_timer_, qOverload<>(&QTimer::start));
+  connect(view_panel_, &ViewPanel::photograph_asked, this, &Window::choose_photograph);
+  connect(view_panel_, &ViewPanel::photograph_ended, this, [this] { show_photograph({}, {}); });
+  connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
+    if (document_.material() == nullptr) return;
+    show_photograph({}, {});
+    document_.change_view(tr("pin as B"), next_press_id(), [this](ProjectView& view) {
+      view.compare.pinned = *document_.material();
+      view.compare.on = true;
+    });
   });
 }
 
@@ -193,7 +197,11 @@ void Window::refresh() {
   if (!texture_view_->is_waiting() || !look_.textured || look_.preview)
     viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()),
                          qobject_cast<const QAbstractSlider*>(focusWidget()));
-  show_difference();
+  // While the user drags, the processors draw pictures.
+  if (viewport_->is_hurried())
+    difference_timer_.start();
+  else
+    show_difference();
   show_curves();
 }
 

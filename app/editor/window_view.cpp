@@ -102,6 +102,9 @@ void Window::make_view_bar(QWidget* parent) {
       tr("Overlays"), tr("What is marked in the picture (Ctrl+1 to Ctrl+3), and the textures"),
       overlays_ + QList<QAction*>{of_look(tr("Show te&xtures"), tr("The material's textures, or its numbers"),
                                           {}, &Look::textured)});
+  perspective_action_ = of_look(tr("Perspecti&ve camera"),
+                                tr("From near by, 30 degrees high, in place of parallel rays (Ctrl+4)"),
+                                QKeySequence("Ctrl+4"), &Look::perspective);
   compare_action_ = switch_action(
       tr("&Compare A and B"), tr("Side A left, side B right of a line that can be dragged (Ctrl+T)"),
       QKeySequence(Qt::CTRL | Qt::Key_T), [this] { return document_.project().view.compare.on; },

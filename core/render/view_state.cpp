@@ -31,6 +31,7 @@ Scene frame_of(const ViewState& state, int width, int height) {
   out.mark_zone = state.zone_overlay;
   out.mark_angles = state.angle_overlay;
   out.view = state.camera;
+  out.perspective = state.perspective;
   out.view->zoom *= std::min(1.0, double(width) / height);
   return out;
 }

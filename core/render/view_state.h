@@ -39,6 +39,7 @@ struct ViewState {
   std::shared_ptr<const Environment> environment;
   double environment_turn_deg = 0;
   View camera;
+  bool perspective = false;                          // as in struct Scene
   bool refined = false;                              // as in struct Scene
   double exposure = 1;                               // linear factor
   std::string ocio_config, ocio_display, ocio_view;  // of OpenColorIO; all three empty: `tone`, then sRGB

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QApplication>
-#include <QClipboard>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bar above the viewport, the size of the window, the history and the preferences, by keys and mouse.
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
 #include <QUndoView>
 
 #include "app/editor/fields/number_field.h"
+#include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/inspector/sections.h"
 #include "app/editor/panels/preferences.h"
+#include "app/editor/panels/project_panel.h"
 #include "app/editor/panels/view_bar.h"
 #include "core/render/view_moves.h"
 #include "tests/gui/editor_hands.h"
@@ -32,6 +35,8 @@ class EditorBar : public QObject {
   Q_OBJECT
 
  private slots:
+  void initTestCase() { QApplication::setAttribute(Qt::AA_DontUseNativeDialogs); }
+
   void every_switch_has_a_name_a_tip_and_a_place_in_the_tab_order() {
     TestWindow window(true);
     show_active(window);
@@ -135,6 +140,47 @@ class EditorBar : public QObject {
     QTRY_COMPARE(window->width(), 940);
     for (QWidget* each : bar_of(window).findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
       QVERIFY(bar_of(window).rect().contains(each->geometry()));
+  }
+
+  void the_right_button_has_menus() {
+    TestWindow window(true);
+    show_active(window);
+    QVERIFY(window->use_library_material("gold"));
+    QVERIFY(window.settle());
+    const QImage parallel = window->viewport().grab_picture();
+    QTest::keyClick(window.window.get(), Qt::Key_4, Qt::ControlModifier);
+    QTRY_VERIFY(window->viewport().state().perspective);
+    const QImage near = window->viewport().grab_picture();
+    QVERIFY(near != parallel);
+    const QPoint middle = window->viewport().rect().center();
+    QContextMenuEvent asked(QContextMenuEvent::Mouse, middle, window->viewport().mapToGlobal(middle));
+    QCoreApplication::sendEvent(&window->viewport(), &asked);
+    auto* menu = window->viewport().findChild<QMenu*>();
+    QVERIFY(menu != nullptr && menu->isVisible());
+    QTest::mouseClick(menu, Qt::LeftButton, {},
+                      menu->actionGeometry(action_named(*window, "Perspective camera")).center());
+    QTRY_VERIFY(!window->viewport().state().perspective);
+    QVERIFY(window->viewport().grab_picture() != near);
+    QListView& list = window->project_panel().list();
+    QStringList titles;
+    for (QAction* each : list.actions()) titles << each->text().remove('&');
+    QCOMPARE(titles.front(), QString("Rename"));
+    QVERIFY(titles.contains("Duplicate materials") && titles.contains("Copy materials") &&
+            titles.contains("Remove materials"));
+  }
+
+  void a_folder_is_opened_with_the_table_of_what_goes_where() {
+    TestWindow window(true);
+    show_active(window);
+    QVERIFY(QDir(window.folder.path()).mkdir("set"));
+    grey_picture(window, "set/wall_diffuse.png");
+    grey_picture(window, "set/wall_gloss.png");
+    when_asked<QFileDialog>([&](QFileDialog& dialog) {
+      dialog.findChild<QLineEdit*>("fileNameEdit")->setText(window.file("set"));
+      static_cast<QDialog&>(dialog).accept();
+    });
+    QTest::keyClick(window.window.get(), Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(window->findChild<DropTable*>() != nullptr, 10000);
   }
 
   void a_click_in_the_history_goes_back() {

@@ -96,6 +96,21 @@ class ViewportGl : public QObject {
     check(state, id + " with textures under two hemispheres in an environment");
   }
 
+  void a_perspective_camera_is_that_of_the_cpu() {
+    ViewState state = state_with(*find_model("ggx-schlick"));
+    state.environment = environment;
+    state.backdrop = {true, 0.3, true};
+    state.perspective = true;
+    state.camera = {20, 15, 0.1, 0, 1.2};
+    check(state, "perspective");
+    state.shape = ViewShape::quad;
+    state.backdrop = {};
+    check(state, "perspective quad");
+    state.shape = ViewShape::sphere;
+    state.split = true;
+    check(state, "perspective split");
+  }
+
   void textures_that_hold_a_part_of_the_quantities() {
     ViewState state = state_with(*find_model("ggx-schlick"));
     state.environment = environment;

@@ -100,6 +100,7 @@ ViewState view_state_of(const Document& document, const Look& look,
   out.environment = std::move(environment);
   out.environment_turn_deg = view.environment_turn_deg;
   out.camera = look.camera;
+  out.perspective = look.perspective;
   out.exposure = view.exposure;
   out.ocio_config = view.config;
   out.ocio_display = view.display;

@@ -14,6 +14,7 @@ struct Look {
   double separator = 0.5;
   bool zone_overlay = false, energy_overlay = false, angle_overlay = false, textured = true;
   View camera;
+  bool perspective = false;
   std::string photograph;  // name of the photograph in place of side B; empty: none
   std::string engine;      // as which side A is shown (core/render/engines.h); empty: by its own models
   std::optional<ProjectMaterial> preview;  // a material of the library, shown in place of the current one

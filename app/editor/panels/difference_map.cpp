@@ -34,7 +34,7 @@ void DifferenceMap::show_map(const DifferencePicture& difference) {
   const QRect below(0, map.height() + gap + bar, width, text);
   painter.drawText(below, Qt::AlignLeft, QStringLiteral("0"));
   painter.drawText(below, Qt::AlignHCenter, QString::number(largest_shown_de / 2));
-  painter.drawText(below, Qt::AlignRight, tr("dE %1 and more").arg(largest_shown_de));
+  painter.drawText(below, Qt::AlignRight, tr("dE %1+").arg(largest_shown_de));
   painter.end();
   setPixmap(out);
   setAccessibleDescription(

@@ -26,7 +26,7 @@ ViewBar::ViewBar(Document& document, QWidget* parent)
   row->setContentsMargins(3, 3, 3, 3);
   for (QWidget* each : std::initializer_list<QWidget*>{environment_, exposure_, tone_, shape_})
     row->addWidget(each);
-  for (QuietComboBox* each : {environment_, tone_, shape_}) each->setMinimumContentsLength(6);
+  for (QuietComboBox* each : {environment_, tone_, shape_}) each->setMinimumContentsLength(5);
   tone_->setMinimumContentsLength(9);
   make_environment();
   make_picture();
