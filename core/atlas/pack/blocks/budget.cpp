@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -74,6 +75,12 @@ double Spread::percentile_99() const {
     left -= bins_[b];
   }
   return largest_;
+}
+
+std::uint64_t Spread::above(double difference) const {
+  const auto first =
+      std::min(static_cast<std::ptrdiff_t>(std::lround(difference / unit_)) + 1, std::ssize(bins_));
+  return std::accumulate(bins_.begin() + first, bins_.end(), std::uint64_t{0});
 }
 
 BlockMeasure::BlockMeasure(Texture texture, GlossForm gloss, const BlockBudget& budget)

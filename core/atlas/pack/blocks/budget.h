@@ -24,6 +24,8 @@ class Spread {
   double largest() const { return largest_; }
   /// The least difference, rounded up to a whole bin, that 99 % of the texels do not exceed.
   double percentile_99() const;
+  /// How many texels have a difference above this one, a whole number of bins.
+  std::uint64_t above(double difference) const;
 
  private:
   static constexpr std::size_t bin_count = 2000;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "core/atlas/pack/blocks/block_codec.h"
@@ -74,11 +75,45 @@ class LevelInBlocks {
     return out;
   }
 
-  // Tries those blocks again that miss the budget, of the materials that do; keeps what is nearer to it.
-  void escalate(const std::vector<bool>& misses, const BlockTry& how) {
+  // The blocks that miss the budget, of the materials that do.
+  std::vector<std::size_t> bad_blocks(const std::vector<bool>& misses) const {
     std::vector<std::size_t> bad;
     for (std::size_t b = 0; b < excess_.size(); ++b)
       if (excess_[b] > 1 && uses_.owner[b] && misses[*uses_.owner[b]]) bad.push_back(b);
+    return bad;
+  }
+
+  // Whether a material would have twice the texels above its budget that it may have, whatever its blocks are tried
+  // with. Every sixteenth of the bad blocks tells; they stay as they are.
+  bool is_hopeless(const ByMaterial& spreads, const std::vector<bool>& misses,
+                   std::span<const BlockTry> tries) {
+    constexpr std::size_t one_of = 16, least_blocks = 4096;
+    std::vector<std::size_t> some = bad_blocks(misses);
+    if (some.size() < least_blocks) return false;
+    for (std::size_t i = 0; i * one_of < some.size(); ++i) some[i] = some[i * one_of];
+    some.resize((some.size() + one_of - 1) / one_of);
+    const std::string bytes = bytes_;
+    const std::vector<double> excess = excess_;
+    const ByMaterial before = measure(some);
+    for (const BlockTry& how : tries) escalate(some, how);
+    const ByMaterial after = measure(some);
+    bytes_ = bytes;
+    excess_ = excess;
+    const auto left = [](const Spread& all, const Spread& was, const Spread& is, double budget) {
+      const auto part = static_cast<double>(is.above(budget)) /
+                        static_cast<double>(std::max<std::uint64_t>(1, was.above(budget)));
+      return part * static_cast<double>(all.above(budget)) > 0.02 * static_cast<double>(all.count());
+    };
+    for (std::size_t m = 0; m < misses.size(); ++m)
+      if (misses[m] && after[m] &&
+          (left(spreads[m]->colour, before[m]->colour, after[m]->colour, measure_.colour_budget()) ||
+           left(spreads[m]->fourth, before[m]->fourth, after[m]->fourth, measure_.fourth_budget())))
+        return true;
+    return false;
+  }
+
+  // Tries blocks again; keeps what is nearer to the budget.
+  void escalate(const std::vector<std::size_t>& bad, const BlockTry& how) {
     escalated_ = std::max(escalated_, bad.size());
     timed([&] {
       constexpr std::size_t chunk = 64;
@@ -97,6 +132,17 @@ class LevelInBlocks {
         }
       });
     });
+  }
+
+  // What these blocks make of their texels, by material.
+  ByMaterial measure(const std::vector<std::size_t>& blocks) {
+    ByMaterial out(job_.materials.size());
+    for (const std::size_t b : blocks) {
+      std::optional<Spreads>& to = out[*uses_.owner[b]];
+      if (!to) to.emplace(measure_);
+      compare(b, codec_.decode(block(b), 1).data(), &*to);
+    }
+    return out;
   }
 
   bool is_mask(std::size_t material) const {
@@ -219,7 +265,9 @@ BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int numb
   for (std::size_t t = 1; t < tries.size(); ++t) {
     const std::vector<bool> misses = missing(level, spreads);
     if (std::ranges::find(misses, true) == misses.end()) break;
-    level.escalate(misses, tries[t]);
+    if (t == 1 && job.how.falls_back && level.is_hopeless(spreads, misses, std::span(tries).subspan(1)))
+      break;
+    level.escalate(level.bad_blocks(misses), tries[t]);
     spreads = level.measure();
   }
   BlockLevel out;
