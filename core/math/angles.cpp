@@ -286,6 +286,10 @@ float cos(float x) {
   return static_cast<float>(cos(double{x}));
 }
 
+float atan(float x) {
+  return static_cast<float>(atan(double{x}));
+}
+
 float atan2(float y, float x) {
   return static_cast<float>(atan2(double{y}, double{x}));
 }

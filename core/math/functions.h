@@ -41,6 +41,7 @@ float pow(float x, float y);
 float erf(float x);
 float sin(float x);
 float cos(float x);
+float atan(float x);
 float atan2(float y, float x);
 
 }  // namespace etak::math

@@ -34,6 +34,7 @@ inline real exp2(real x) { return math::exp2(x); }
 inline real log(real x) { return math::log(x); }
 inline real log2(real x) { return math::log2(x); }
 inline real erf(real x) { return math::erf(x); }
+inline real atan(real x) { return math::atan(x); }
 #ifdef ETAK_POLYNOMIALS_F64  // double, for such loops
 #include "core/math/polynomials_f64.h"
 #else

@@ -18,9 +18,10 @@ constexpr std::array<std::pair<Transfer, std::string_view>, 5> names{{{Transfer:
                                                                       {Transfer::power_045, "power-0.45"},
                                                                       {Transfer::square_root, "sqrt"},
                                                                       {Transfer::linear, "linear"}}};
-constexpr std::array<std::pair<Tone, std::string_view>, 4> tone_names{{{Tone::plain, "plain"},
+constexpr std::array<std::pair<Tone, std::string_view>, 5> tone_names{{{Tone::plain, "plain"},
                                                                        {Tone::neutral, "neutral"},
                                                                        {Tone::agx_like, "agx-like"},
+                                                                       {Tone::filament, "filament"},
                                                                        {Tone::false_color, "false-color"}}};
 
 template <class Names, class Value>
@@ -96,6 +97,8 @@ vec3 toned(Tone tone, const float* pixel, float exposure) {
       return tone_neutral(scene);
     case Tone::agx_like:
       return tone_agx_like(scene);
+    case Tone::filament:
+      return tone_filament(scene);
     case Tone::false_color:
       return tone_false_color(scene);
     case Tone::plain:

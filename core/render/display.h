@@ -14,7 +14,7 @@ namespace etak {
 std::string_view name(Transfer transfer);  // "srgb", "power-2.2", "power-0.45", "sqrt", "linear"
 std::optional<Transfer> transfer_named(std::string_view text);
 
-std::string_view name(Tone tone);  // "plain", "neutral", "agx-like", "false-color"
+std::string_view name(Tone tone);  // "plain", "neutral", "agx-like", "filament", "false-color"
 std::optional<Tone> tone_named(std::string_view text);
 
 /// What a display is to emit of a pixel, linear: the tone curve of exposure x value, not clamped.

@@ -23,8 +23,8 @@ constexpr std::array all{
     Engine{
         "blender", "Blender (Cycles)", "as-blender", Tone::plain, 1, "Principled BSDF of Cycles 4",
         "AgX, a table of Blender's OpenColorIO config, and the table of what a rough dielectric leaves to its body"},
-    Engine{"filament", "Filament", "as-filament", Tone::plain, 0.16,
-           "Physically Based Rendering in Filament; ToneMapper.cpp", "the tone curve ACESLegacy"},
+    Engine{"filament", "Filament", "as-filament", Tone::filament, 0.16,
+           "Physically Based Rendering in Filament; ToneMapper.cpp", ""},
     Engine{"gltf", "glTF viewers", "as-gltf", Tone::neutral, 1,
            "glTF 2.0, Appendix B; glTF Sample Renderer; Khronos PBR Neutral", ""}};
 

@@ -168,7 +168,7 @@ struct SurfaceTextures {
 enum class Shape { sphere, quad };
 enum class Transfer { srgb, power_22, power_045, square_root, linear };
 /// What is done to exposed light before the transfer: core/light/tone.glsl.
-enum class Tone { plain, neutral, agx_like, false_color };
+enum class Tone { plain, neutral, agx_like, filament, false_color };
 
 /// What is seen beside and below the object.
 ///   environment   the environment instead of the background's colour, as from a camera whose rays part: in

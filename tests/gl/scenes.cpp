@@ -213,7 +213,7 @@ std::vector<Variant> variants(const Model& model) {
     s.surface.emission = {1, 1, 1};
     s.textures = textures({true, true, true, true, true, true});
   });
-  for (const Tone tone : {Tone::neutral, Tone::agx_like, Tone::false_color}) {
+  for (const Tone tone : {Tone::neutral, Tone::agx_like, Tone::filament, Tone::false_color}) {
     out.push_back({"tone-" + std::string(name(tone)), full_scene(model)});
     out.back().scene.tone = tone;
   }

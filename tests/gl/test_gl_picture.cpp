@@ -104,9 +104,10 @@ TEST_CASE("GL's tone curves show the CPU's codes") {
   if (gl == nullptr) return;
   for (const Vec3& color : {Vec3{0.18, 0.18, 0.18}, Vec3{0.03, 0.5, 0.2}, Vec3{1.02, 0.78, 0.34},
                             Vec3{9, 2, 0.1}, Vec3{0, 0, 0.004}})
-    for (const Tone tone : {Tone::neutral, Tone::agx_like, Tone::false_color}) {
+    for (const Tone tone : {Tone::neutral, Tone::agx_like, Tone::filament, Tone::false_color}) {
       const std::string function = tone == Tone::neutral    ? "tone_neutral"
                                    : tone == Tone::agx_like ? "tone_agx_like"
+                                   : tone == Tone::filament ? "tone_filament"
                                                             : "tone_false_color";
       Image pixel(1, 1, 4);
       std::string arguments;

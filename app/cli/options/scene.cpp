@@ -173,7 +173,8 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
                     "srgb, power-2.2, power-0.45, sqrt or linear");
   scene.transfer = *transfer;
   const auto tone = tone_named(arguments.tone);
-  if (!tone) throw Error::at("--tone", printable(arguments.tone), "plain, neutral, agx-like or false-color");
+  if (!tone)
+    throw Error::at("--tone", printable(arguments.tone), "plain, neutral, agx-like, filament or false-color");
   scene.tone = *tone;
   scene.exposure = arguments.exposure;
   scene.shape = arguments.quad ? Shape::quad : Shape::sphere;
@@ -288,7 +289,7 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
       .words({"srgb", "power-2.2", "power-0.45", "sqrt", "linear"})
       .show_default();
   verb.option("--tone", arguments.tone, "tone curve before --transfer; neutral is Khronos PBR Neutral")
-      .words({"plain", "neutral", "agx-like", "false-color"})
+      .words({"plain", "neutral", "agx-like", "filament", "false-color"})
       .show_default();
   verb.refuse("--space", "pictures and their lights are in linear sRGB",
               "etak f0 or etak export with --space, whose values are");

@@ -29,7 +29,8 @@ inline auto shape_of_view() {
 }
 
 /// The tone curves of the plain display, and the titles that the registry gives them.
-inline constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like, Tone::false_color};
+inline constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like, Tone::filament,
+                                  Tone::false_color};
 QStringList tone_titles();
 
 /// Fields for exposure, display, backdrop, shape, comparison and overlays.

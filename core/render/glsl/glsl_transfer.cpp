@@ -15,6 +15,9 @@ void tone_text(GlslGlue& glue, const Scene& scene) {
     case Tone::agx_like:
       function = "tone_agx_like";
       break;
+    case Tone::filament:
+      function = "tone_filament";
+      break;
     case Tone::false_color:
       function = "tone_false_color";
       break;

@@ -113,8 +113,31 @@ TEST_CASE(
   CHECK(srgb(-1, -1, -1)[0] == 0);
 }
 
+TEST_CASE("Filament's tone curve is what its source computes") {
+  // By another program, in double: 255 times the linear values.
+  struct Shown {
+    std::array<float, 3> scene;
+    std::array<double, 3> codes;
+  };
+  const Shown all[] = {{{0.18f, 0.18f, 0.18f}, {55.168, 55.617, 56.258}},
+                       {{1, 1, 1}, {201.216, 193.55, 181.656}},
+                       {{1, 0.766f, 0.336f}, {202.274, 178.249, 118.668}},
+                       {{5, 1, 0.2f}, {255, 203.391, 120.987}},
+                       {{0.02f, 0.01f, 0.9f}, {2.98, 1.149, 190.455}},
+                       {{0.05f, 0.002f, 0.001f}, {7.315, 0.02, 0.138}},
+                       {{0.3f, 0.28f, 0.05f}, {98.362, 91.463, 14.254}},
+                       {{16, 16, 16}, {250.862, 238.43, 219.649}},
+                       {{0, 0, 0}, {0, 0, 0}}};
+  Image picture(1, 1, 4);
+  for (const Shown& each : all) {
+    picture.values = {each.scene[0], each.scene[1], each.scene[2], 1};
+    const Vec3 shown = toned(picture.values.data(), 1, Tone::filament);
+    for (std::size_t c = 0; c < 3; ++c) CHECK(255 * shown[c] == Approx(each.codes[c]).margin(2e-3));
+  }
+}
+
 TEST_CASE("tone curves are found by their names") {
-  for (const Tone each : {Tone::plain, Tone::neutral, Tone::agx_like, Tone::false_color})
+  for (const Tone each : {Tone::plain, Tone::neutral, Tone::agx_like, Tone::filament, Tone::false_color})
     CHECK(tone_named(name(each)) == each);
   CHECK_FALSE(tone_named("aces"));
 }
