@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/fresnel/fresnel.h"
-#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/math/functions.h"
 
 // The formula text comes into namespaces of its own, so that the shim's min, sqrt, ... are not seen
 // elsewhere.

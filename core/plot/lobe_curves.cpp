@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plot/lobe_curves.h"
-#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {

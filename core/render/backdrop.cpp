@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/backdrop.h"
-#include "core/math/functions.h"
 
 #include <cmath>
+
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/camera.h"
-#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/math/functions.h"
 
 namespace etak {
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/energy.h"
-#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/lobe_density.h"
-#include "core/math/functions.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {

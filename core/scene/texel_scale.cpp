@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/scene/texel_scale.h"
-#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/scene/uv_transform.h"
-#include "core/math/functions.h"
 
 #include <cmath>
 #include <numbers>
+
+#include "core/math/functions.h"
 
 namespace etak {
 

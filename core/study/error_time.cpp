@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/error_time.h"
-#include "core/math/functions.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {

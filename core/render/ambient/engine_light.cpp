@@ -4,11 +4,12 @@
 // (github.com/Unity-Technologies/Graphics); Khronos' glTF Sample Renderer (ibl.glsl) with Fdez-Aguera 2019, "A Multiple-Scattering
 // Microfacet Model for Real-Time Image Based Lighting".
 #include "core/render/ambient/engine_light.h"
-#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {

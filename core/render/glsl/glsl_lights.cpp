@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/glsl/glsl_lights.h"
-#include "core/math/functions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "core/math/functions.h"
 
 namespace etak {
 namespace {
