@@ -66,7 +66,7 @@ void ViewBar::make_picture() {
   });
   tone_->setToolTip(tr("The tone curve before the one of sRGB; a config's displays are in the tab View"));
   // The titles of the tab View would need more room than the bar has.
-  tone_->addItems({tr("plain sRGB"), tr("Neutral"), tr("AgX-like"), tr("false colours")});
+  tone_->addItems({tr("plain sRGB"), tr("Neutral"), tr("AgX-like"), tr("Filament"), tr("false colours")});
   for (int row = 0; row < tone_->count(); ++row)
     tone_->setItemData(row, tone_titles().at(row), Qt::ToolTipRole);
   connect(tone_, &QComboBox::activated, this, [this](int row) {
