@@ -147,7 +147,7 @@ inline Pair sine_of(const Reduced& angle) {
   const double sine = b + b * b2 * ((-1.0 / 6 + b2 * (1.0 / 120)) - b2 * b2 * (1.0 / 5040));
   const double cosine = b2 * ((-0.5 + b2 * (1.0 / 24)) - b2 * b2 * (1.0 / 720));  // - 1
   const Pair at = turn[odd];
-  const double rest = at.low + (at.high * cosine + flipped(turn[1 - odd].high, odd << 63) * sine);
+  const double rest = at.low + (at.high * cosine + flipped(turn[1 - odd].high, quarters << 63) * sine);
   const std::uint64_t sign = flip ^ (odd == 0 ? side : 0);
   return {flipped(at.high, sign), flipped(rest, sign)};
 }
