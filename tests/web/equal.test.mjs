@@ -7,9 +7,9 @@ import {existsSync} from 'node:fs';
 import {join} from 'node:path';
 import {comparing, data, etak, filesBelow, inFolder, native, root, sameAnswer} from './support.mjs';
 
-const settings = [[], ['--illuminant', 'A'], ['--illuminant', 'D50'], ['--illuminant', 'E'], ['--observer', '10'],
+const settings = [[], ['--illuminant', 'A'], ['--illuminant', 'D50'], ['--illuminant', 'E'], ['--observer', '1964-10deg'],
   ['--outside', 'water'], ['--outside', '1.33'], ['--space', 'acescg'], ['--space', 'rec2020'], ['--space', 'display-p3'],
-  ['--space', 'xyz'], ['--coat', 'pmma'], ['--illuminant', 'A', '--observer', '10', '--outside', 'water', '--bands']];
+  ['--space', 'xyz'], ['--coat', 'pmma'], ['--illuminant', 'A', '--observer', '1964-10deg', '--outside', 'water', '--bands']];
 
 comparing('F0 of all materials is equal in CSV and JSON under all settings', () => {
   for (const setting of settings)

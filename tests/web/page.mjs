@@ -4,6 +4,7 @@
 //   ETAK       the program
 //   PICTURES   folder for pictures of the page at three widths in both themes; none are taken without it
 import {execFileSync, spawnSync} from 'node:child_process';
+import {createHash} from 'node:crypto';
 import {existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
@@ -299,6 +300,30 @@ async function drops(browser, page) {
   });
 }
 
+/** What the browser's program writes is what this machine's writes, by SHA-256. */
+async function hashes(page) {
+  const settings = [[], ['--illuminant', 'A'], ['--illuminant', 'D50'], ['--illuminant', 'E'], ['--observer', '1964-10deg'], ['--outside', 'water'],
+    ['--space', 'acescg'], ['--space', 'rec2020'], ['--outside', '1.33'], ['--illuminant', 'A', '--observer', '1964-10deg', '--outside', 'water']];
+  const lines = [...settings.flatMap(words => ['csv', 'json'].map(format => ['f0', '--all', '--format', format, ...words])),
+    ['export', '--all', '--to', 'values', '--format', 'json'], ['export', 'gold', '--to', 'mtlx'], ['export', 'water', '--to', 'gltf'],
+    ['f0', 'anatase:40nm/titanium', 'magnesium_fluoride:100nm/bk7', '-v'], ['identify', '#ffe29b', '--format', 'json'],
+    ['identify', '#7f5fb0', '--film', 'titanium'], ['show', 'gold', '--format', 'json'], ['show', 'water'], ['nearest', 'gold'],
+    ['curve', 'silver', '--format', 'json'], ['shader', 'copper', '--es', '--format', 'json', '--env', 'studio'],
+    ...json('models').models.filter(each => each.kind !== 'diffuse').map(each => ['shader', 'gold', '--es', '--format', 'json', '--model', each.id])];
+  await claim(`${lines.length} outputs have the hashes of those of the program`, async () => {
+    const wanted = lines.map(words => createHash('sha256').update(etak(...words)).digest('hex'));
+    const got = JSON.parse(await page.value(`(async () => {
+      const hashes = [];
+      for (const words of ${JSON.stringify(lines)}) {
+        const digest = await crypto.subtle.digest('SHA-256', (await engine.run(words)).outBytes);
+        hashes.push([...new Uint8Array(digest)].map(byte => byte.toString(16).padStart(2, '0')).join(''));
+      }
+      return JSON.stringify(hashes);
+    })()`));
+    assert.deepEqual(lines.filter((_, i) => got[i] !== wanted[i]).map(words => words.join(' ')), []);
+  });
+}
+
 /** Spheres of the page's shaders against those of `etak render`, in codes. */
 async function spheres(page) {
   const size = 256;
@@ -495,6 +520,7 @@ try {
   const page = await values(browser);
   await settings(page);
   await links(browser, page);
+  await hashes(page);
   await keys(page);
   await spheres(page);
   await drops(browser, page);
