@@ -217,7 +217,7 @@ class Window : public QMainWindow {
   void show_environment_work(bool on);
   void show_difference();
   void compare(const std::function<DifferencePicture()>& work,
-               void (ViewPanel::*show)(const DifferencePicture*));
+               const std::function<void(const DifferencePicture*)>& show);
   void choose_photograph();
   void show_photograph(const QImage& photograph, const QString& name);  // null: none
   void copy_command();

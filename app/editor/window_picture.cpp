@@ -224,7 +224,7 @@ void Window::show_difference() {
           const Scene scene = view_tiles(state, side, side).front().scene;
           return engine_difference(*engine, scene, state.environment.get(), 1);
         },
-        &ViewPanel::show_difference);
+        [this](const DifferencePicture* found) { view_panel_->show_difference(found); });
   } else {
     view_panel_->show_difference(nullptr);
   }
@@ -232,11 +232,12 @@ void Window::show_difference() {
   if (!view.compare.on || view.wedge.on)
     view_panel_->show_sides(nullptr);
   else if (inspector_tabs_->currentWidget() == view_panel_)
-    compare(viewport_->difference_work(width), &ViewPanel::show_sides);
+    compare(viewport_->difference_work(width),
+            [this](const DifferencePicture* found) { view_panel_->show_sides(found); });
 }
 
 void Window::compare(const std::function<DifferencePicture()>& work,
-                     void (ViewPanel::*show)(const DifferencePicture*)) {
+                     const std::function<void(const DifferencePicture*)>& show) {
   ++comparing_;
   in_background(
       comparer_, this,
@@ -248,7 +249,7 @@ void Window::compare(const std::function<DifferencePicture()>& work,
       [this, number = comparison_, show](const DifferencePicture& difference) {
         if (number != comparison_) return;
         --comparing_;
-        (view_panel_->*show)(difference.map.width > 0 ? &difference : nullptr);
+        show(difference.map.width > 0 ? &difference : nullptr);
       });
 }
 
