@@ -90,7 +90,7 @@ class EditorWidgets : public QObject {
     window->document().replace({}, {}, true);  // with the view that projects have in which none is saved
     window->show();
     QComboBox& view = combo_called(window, "View of the display");
-    QCOMPARE(view.count(), 4);
+    QCOMPARE(view.count(), 5);
     QVERIFY(view.isEnabled());
     choose(view, QStringLiteral("Khronos PBR Neutral"));
     QVERIFY(window->document().project().view.tone == Tone::neutral);

@@ -193,5 +193,5 @@ TEST_CASE("names of kinds and forms come back") {
     CHECK(hemisphere_form_named(name(form)) == form);
   CHECK(!light_kind_named("area"));
   CHECK(!hemisphere_form_named(""));
-  CHECK(light_rows().size() == 22);
+  CHECK(light_rows().size() == 23);
 }
