@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <cstdio>
 
-#include "app/editor/document/files.h"
+#include "app/document/files.h"
 #include "app/editor/options.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/screenshot.h"

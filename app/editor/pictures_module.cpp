@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that libetak-editor-pictures.so offers to etak-editor; see app/editor/document/pictures.h. The module has a
+// The functions that libetak-editor-pictures.so offers to etak-editor; see app/document/pictures.h. The module has a
 // core of its own, of which it uses what reads and writes pictures.
 #include "app/pictures/doors.h"
 

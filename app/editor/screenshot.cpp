@@ -22,9 +22,9 @@
 #include <functional>
 #include <map>
 
-#include "app/editor/curves/curves_panel.h"
-#include "app/editor/document/files.h"
-#include "app/editor/fields/press_id.h"
+#include "app/curves/curves_panel.h"
+#include "app/document/files.h"
+#include "app/document/press_id.h"
 #include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"

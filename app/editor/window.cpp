@@ -20,11 +20,11 @@
 #include <QTabBar>
 #include <QTabWidget>
 
-#include "app/editor/curves/curves_panel.h"
-#include "app/editor/document/files.h"
+#include "app/curves/curves_panel.h"
+#include "app/document/files.h"
+#include "app/document/press_id.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/plain_text.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/source_section.h"

@@ -6,11 +6,11 @@
 #include <functional>
 #include <memory>
 
-#include "app/editor/document/autosave.h"
-#include "app/editor/document/document.h"
-#include "app/editor/document/look.h"
-#include "app/editor/document/thumbnails.h"
-#include "app/editor/document/validator.h"
+#include "app/document/autosave.h"
+#include "app/document/document.h"
+#include "app/document/look.h"
+#include "app/document/thumbnails.h"
+#include "app/document/validator.h"
 #include "app/editor/panels/preferences.h"
 #include "app/viewport/background.h"
 #include "app/viewport/viewport.h"

@@ -5,9 +5,9 @@
 #include <QMimeData>
 #include <QPushButton>
 
-#include "app/editor/document/dropped_pictures.h"
-#include "app/editor/document/files.h"
-#include "app/editor/fields/press_id.h"
+#include "app/document/dropped_pictures.h"
+#include "app/document/files.h"
+#include "app/document/press_id.h"
 #include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"

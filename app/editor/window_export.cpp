@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QMenu>
 
-#include "app/editor/document/pictures.h"
+#include "app/document/pictures.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/window.h"

@@ -6,7 +6,7 @@
 #include <QSettings>
 #include <cmath>
 
-#include "app/editor/document/files.h"
+#include "app/document/files.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/pack_dialog.h"
 #include "app/editor/panels/problem_strip.h"

@@ -5,8 +5,8 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 
-#include "app/editor/document/pictures.h"
-#include "app/editor/fields/press_id.h"
+#include "app/document/pictures.h"
+#include "app/document/press_id.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/texture_view.h"

@@ -13,7 +13,7 @@
 #include <QTabWidget>
 #include <QTreeView>
 
-#include "app/editor/fields/press_id.h"
+#include "app/document/press_id.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/project_panel.h"

@@ -5,8 +5,8 @@
 #include <QMenu>
 #include <QMimeData>
 
-#include "app/editor/document/files.h"
-#include "app/editor/document/own_materials.h"
+#include "app/document/files.h"
+#include "app/document/own_materials.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/window.h"

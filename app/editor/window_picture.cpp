@@ -5,11 +5,11 @@
 #include <QPlainTextEdit>
 #include <QTabWidget>
 
-#include "app/editor/curves/curves_panel.h"
-#include "app/editor/document/file_watch.h"
-#include "app/editor/document/files.h"
-#include "app/editor/document/pictures.h"
-#include "app/editor/fields/press_id.h"
+#include "app/curves/curves_panel.h"
+#include "app/document/file_watch.h"
+#include "app/document/files.h"
+#include "app/document/pictures.h"
+#include "app/document/press_id.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/preview_bar.h"
 #include "app/editor/panels/texture_view.h"

@@ -5,7 +5,7 @@
 #include <QProgressDialog>
 #include <QPushButton>
 
-#include "app/editor/document/files.h"
+#include "app/document/files.h"
 #include "app/editor/window.h"
 
 namespace etak::editor {

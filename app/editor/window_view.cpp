@@ -12,7 +12,7 @@
 #include <QUndoView>
 #include <algorithm>
 
-#include "app/editor/fields/press_id.h"
+#include "app/document/press_id.h"
 #include "app/editor/panels/inspector/sections.h"
 #include "app/editor/panels/light_panel.h"
 #include "app/editor/panels/preferences.h"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/pack/pack.h"
+#include "core/pack/pack.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/python/validate.h"
-#include "core/atlas/pack/setting_reader.h"
 #include "core/base/error.h"
 #include "core/base/files/output.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/pack/setting_reader.h"
 #include "core/project/project_pack.h"
 #include "core/validate/check_pack.h"
 

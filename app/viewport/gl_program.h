@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "core/render/glsl/glsl_text.h"
+#include "core/glsl/glsl_text.h"
 
 namespace etak {
 

@@ -9,7 +9,7 @@
 #include "app/viewport/viewport_private.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/render/glsl/glsl_text.h"
+#include "core/glsl/glsl_text.h"
 
 namespace etak {
 

@@ -5,7 +5,7 @@
 
 #include "core/atlas/layout.h"
 #include "core/color/rgb.h"
-#include "core/render/glsl/glsl_text.h"
+#include "core/glsl/glsl_text.h"
 
 namespace etak {
 

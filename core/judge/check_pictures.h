@@ -12,8 +12,8 @@ namespace etak {
 
 /// Checks pictures in memory. Files of the target are not opened; their labels and roles go into the report.
 ///   threads   never changes the result
-CheckedFile check_pictures(const CheckTarget& target, const PicturesInMemory& pictures,
-                           const Settings& settings, unsigned threads = 1);
+CheckedFile check_pictures(const CheckTarget& target, const Pictures& pictures, const Settings& settings,
+                           unsigned threads = 1);
 
 /// Checks pictures that come in strips of rows.
 ///   open   called once per pass over the pixels, with what the pass needs; almost always once

@@ -298,19 +298,19 @@ CheckedFile check_rows(const CheckTarget& target, const std::function<PictureRow
   return file;
 }
 
-CheckedFile check_pictures(const CheckTarget& target, const PicturesInMemory& pictures,
-                           const Settings& settings, unsigned threads) {
+CheckedFile check_pictures(const CheckTarget& target, const Pictures& pictures, const Settings& settings,
+                           unsigned threads) {
   return check_rows(
       target, [&](Needs) { return pictures.rows(); }, settings, threads);
 }
 
-Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const CheckTarget& target,
+Image8 region_picture(RegionKind kind, const Pictures& pictures, const CheckTarget& target,
                       const Settings& settings) {
-  const Image8* any = pictures.b != nullptr ? pictures.b : pictures.a;
-  Image8 out(any->width, any->height, 1);
+  const Image8& any = pictures.b.width != 0 ? pictures.b : pictures.a;
+  Image8 out(any.width, any.height, 1);
   const Settings own = settings_for(target, settings);
   PassPlan plan =
-      first_plan(target, own, pictures.a != nullptr, pictures.b != nullptr, pictures.metallic != nullptr, 1);
+      first_plan(target, own, pictures.a.width != 0, pictures.b.width != 0, pictures.metallic.width != 0, 1);
   plan.kinds = {kind};
   plan.fringe = plan.hashes = plan.frames = false;
   PixelBox box;
@@ -320,7 +320,7 @@ Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const C
         if ((words[x / 64] >> (x % 64) & 1) != 0) out.at(box.x + x, box.y + y)[0] = value;
     };
   };
-  for (const CheckTile& tile : tiles_of(target, any->width, any->height)) {
+  for (const CheckTile& tile : tiles_of(target, any.width, any.height)) {
     box = tile.box;
     // The first pass marks the mask as it is, the second the plateaus.
     for (const bool plateaus : {false, true}) {

@@ -58,7 +58,7 @@ Settings settings_for(const CheckTarget& target, const Settings& settings);
 
 /// Marks the texels that a rule on regions is about, in a picture of one channel: 0 the condition is not met,
 /// 1 it is met, but not on a plateau (transition), 2 plateau.
-Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const CheckTarget& target,
+Image8 region_picture(RegionKind kind, const Pictures& pictures, const CheckTarget& target,
                       const Settings& settings);
 
 /// A colour of a picture of F0, in linear light, and the share of the texels whose plateaus have it.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/judge/finding.h"
+#include "core/maps/file_role.h"
 
 namespace etak {
 
@@ -29,11 +30,6 @@ std::optional<Profile> profile_named(std::string_view text);
 enum class TextureTransfer { srgb, power_22, linear };
 std::string_view name(TextureTransfer transfer);  // "srgb", "power-2.2", "linear"
 std::optional<TextureTransfer> texture_transfer_named(std::string_view text);
-
-/// The direction in the picture in which the green channel of a normal map points: up (OpenGL) or down (DirectX).
-enum class GreenAxis { unsaid, opengl, directx };
-std::string_view name(GreenAxis green);                       // "opengl", "directx"; empty: unsaid
-std::optional<GreenAxis> green_named(std::string_view text);  // of "opengl" and "directx"
 
 /// The configuration of one rule. Where it gives no value, that of the profile holds.
 struct RuleSetting {

@@ -34,7 +34,7 @@ bool has_place(const Finding& finding) {
 
 // Whether a finding is about texture A, not B. The role of its file decides; where the file is no picture of
 // the target (a scene), the kind of region that the rule looks for.
-bool is_about_a(const Finding& finding, const CheckTarget& target, const LoadedPictures& pictures) {
+bool is_about_a(const Finding& finding, const CheckTarget& target, const Pictures& pictures) {
   if (pictures.b.pixel_count() == 0) return true;
   if (pictures.a.pixel_count() == 0) return false;
   for (const TargetFile& file : target.files)
@@ -47,12 +47,11 @@ bool is_about_a(const Finding& finding, const CheckTarget& target, const LoadedP
 }
 
 // The marks of one finding on its picture. A finding of a tile has marks inside that tile only.
-Image8 marks_of(const Finding& finding, const CheckTarget& target, const LoadedPictures& pictures,
+Image8 marks_of(const Finding& finding, const CheckTarget& target, const Pictures& pictures,
                 const Image8& picture, const Settings& settings) {
   const Rule* rule = find_rule(finding.rule);
   Image8 marks;
-  if (rule != nullptr && rule->region)
-    marks = region_picture(*rule->region, pictures.in_memory(), target, settings);
+  if (rule != nullptr && rule->region) marks = region_picture(*rule->region, pictures, target, settings);
   const bool fits = marks.width == picture.width && marks.height == picture.height;
   if (!fits && finding.box)
     marks = box_marks(picture.width, picture.height, finding.box->x, finding.box->y, finding.box->width,
@@ -113,7 +112,7 @@ class PictureSource {
 
   /// The pictures that a finding is about; in a scene, those of the material that the finding's pointer
   /// ("/materials/3") names. Null where there are none.
-  const LoadedPictures* of(const Finding& finding) {
+  const Pictures* of(const Finding& finding) {
     constexpr std::string_view list = "/materials/";
     if (!scene_) return files_ ? &*files_ : nullptr;
     if (!finding.pointer.starts_with(list)) return nullptr;
@@ -135,7 +134,7 @@ class PictureSource {
   }
 
  private:
-  std::optional<LoadedPictures> files_;
+  std::optional<Pictures> files_;
   std::optional<GltfScene> scene_;
   std::optional<MaterialUses> uses_;
   std::optional<MaterialLooks> looks_;
@@ -187,7 +186,7 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& se
         for (std::size_t i = 0; i < file.findings.size(); ++i) {
           const Finding& finding = file.findings[i];
           if (names[w][i].empty() || &file.target_of(finding) != target) continue;
-          const LoadedPictures* pictures = source.of(finding);
+          const Pictures* pictures = source.of(finding);
           if (pictures == nullptr) continue;
           const Image8& picture = is_about_a(finding, *target, *pictures) ? pictures->a : pictures->b;
           if (picture.pixel_count() == 0) continue;
@@ -217,7 +216,7 @@ struct PagePictures {
 // The thumbnail of a texture with the heat map and the boxes of those of `findings` that are about it.
 //   a   texture A (diffuse); false: texture B (specular)
 ValidationPicture page_picture(bool a, std::span<const Finding* const> findings, const CheckTarget& target,
-                               const LoadedPictures& pictures, const PagePictures& how) {
+                               const Pictures& pictures, const PagePictures& how) {
   const Image8& picture = a ? pictures.a : pictures.b;
   ValidationPicture out;
   out.width = picture.width;
@@ -262,7 +261,7 @@ void add_pictures(const CheckedFile& file, const CheckTarget& target, const Page
     if (&file.target_of(finding) == &target)
       groups[source.is_scene() ? finding.pointer : ""].push_back(&finding);
   for (const auto& [pointer, findings] : groups) {
-    const LoadedPictures* pictures = source.of(*findings.front());
+    const Pictures* pictures = source.of(*findings.front());
     if (pictures == nullptr) continue;
     for (const bool a : {true, false}) {
       if ((a ? pictures->a : pictures->b).pixel_count() == 0) continue;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/atlas/pack/pack.h"
+#include "core/pack/pack.h"
 #include "core/project/project.h"
 
 namespace etak {

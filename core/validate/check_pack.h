@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "core/atlas/pack/pack.h"
 #include "core/findings/report.h"
 #include "core/judge/target.h"
+#include "core/pack/pack.h"
 #include "core/validate/config.h"
 
 namespace etak {

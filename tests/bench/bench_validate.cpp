@@ -78,7 +78,7 @@ void print_real(const std::vector<std::string>& paths) {
     ScenePictures pictures(scene.images, door);
     for (const GltfMaterial& material : scene.materials) {
       if (!scene.material_used[static_cast<std::size_t>(material.index)]) continue;
-      const LoadedPictures loaded = convert_material(material, pictures);
+      const Pictures loaded = convert_material(material, pictures);
       TextureSet& set = sets.emplace_back();
       set.a = middle(loaded.a, 512);
       set.b = middle(loaded.b, 512);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/pack/settings.h"
 #include "core/base/error.h"
+#include "core/pack/settings.h"
 
 using namespace etak;
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/pack/pack_cache.h"
 #include "core/base/bytes/member_bytes.h"
 #include "core/base/error.h"
 #include "core/base/hash/sha256.h"
+#include "core/pack/pack_cache.h"
 
 using namespace etak;
 

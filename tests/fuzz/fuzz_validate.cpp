@@ -40,10 +40,9 @@ void check_all(const CheckTarget& target, std::string_view rest) {
   const int width = least_side + byte(1) % (most_side - least_side + 1),
             height = least_side + byte(2) % (most_side - least_side + 1);
   const std::string_view texels = rest.substr(std::min<std::size_t>(3, rest.size()));
-  const Image8 a = picture(width, height, 4, texels, 0),
-               b = picture(width, height, 4, texels, texels.size() / 2),
-               metallic = picture(width, height, 1, texels, 7);
-  const PicturesInMemory pictures{&a, &b, metal_rough ? &metallic : nullptr};
+  const Pictures pictures{picture(width, height, 4, texels, 0),
+                          picture(width, height, 4, texels, texels.size() / 2),
+                          metal_rough ? picture(width, height, 1, texels, 7) : Image8()};
   const CheckedFile one = check_pictures(target, pictures, settings, 1);
   assert(std::ranges::none_of(one.findings, [](const Finding& f) { return f.rule == "ETK901"; }));
   if (byte(0) == 0xff && byte(1) % 16 == 7) {

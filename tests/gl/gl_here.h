@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "core/render/glsl/gl_runner.h"
+#include "core/glsl/gl_runner.h"
 
 namespace etak::test {
 

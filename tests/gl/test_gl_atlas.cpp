@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/color/srgb.h"
-#include "core/render/glsl/gl_runner.h"
+#include "core/glsl/gl_runner.h"
 #include "tests/gl/gl_here.h"
 #include "tests/gl/scenes.h"
 

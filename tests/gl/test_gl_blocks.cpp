@@ -7,9 +7,9 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "core/glsl/gl_context.h"
 #include "core/image/astc_codec.h"
 #include "core/image/blocks/blocks.h"
-#include "core/render/glsl/gl_context.h"
 #include "tests/core/image/block_files.h"
 
 namespace etak {

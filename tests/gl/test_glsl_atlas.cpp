@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/render/glsl/glsl_text.h"
+#include "core/glsl/glsl_text.h"
 #include "tests/gl/scenes.h"
 #include "tests/support.h"
 

@@ -4,8 +4,8 @@
 #include <regex>
 #include <set>
 
-#include "core/render/glsl/glsl_source.h"
-#include "core/render/glsl/glsl_text.h"
+#include "core/glsl/glsl_source.h"
+#include "core/glsl/glsl_text.h"
 #include "tests/gl/scenes.h"
 #include "tests/support.h"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/render/glsl/glsl_text.h"
+#include "core/glsl/glsl_text.h"
 #include "tests/gl/scenes.h"
 #include "tests/support.h"
 

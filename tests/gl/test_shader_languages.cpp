@@ -10,8 +10,8 @@
 
 #include "core/base/json/json_text.h"
 #include "core/base/number.h"
-#include "core/render/glsl/glsl_text.h"
-#include "core/render/glsl/shader_function.h"
+#include "core/glsl/glsl_text.h"
+#include "core/glsl/shader_function.h"
 #include "tests/gl/scenes.h"
 #include "tests/support.h"
 

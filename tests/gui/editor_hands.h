@@ -11,7 +11,7 @@
 #include <QPushButton>
 #include <QStatusBar>
 
-#include "app/editor/document/files.h"
+#include "app/document/files.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/panels/library_model.h"

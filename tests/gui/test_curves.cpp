@@ -19,9 +19,9 @@
 #include <cmath>
 #include <ctime>
 
-#include "app/editor/curves/curves_panel.h"
-#include "app/editor/curves/line_plot_widget.h"
-#include "app/editor/curves/polar_plot_widget.h"
+#include "app/curves/curves_panel.h"
+#include "app/curves/line_plot_widget.h"
+#include "app/curves/polar_plot_widget.h"
 #include "core/brdf/models.h"
 #include "core/material/library.h"
 #include "tests/gui/gui_test.h"

@@ -4,7 +4,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 
-#include "app/editor/document/dropped_pictures.h"
+#include "app/document/dropped_pictures.h"
 #include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"

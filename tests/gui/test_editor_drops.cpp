@@ -3,7 +3,7 @@
 #include <QLineEdit>
 #include <filesystem>
 
-#include "app/editor/document/files.h"
+#include "app/document/files.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/texture_view.h"
 #include "tests/gui/editor_hands.h"

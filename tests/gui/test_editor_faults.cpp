@@ -11,8 +11,8 @@
 #include <QMessageBox>
 #include <QToolTip>
 
+#include "app/document/press_id.h"
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/library_panel.h"

@@ -11,8 +11,8 @@
 #include <QSettings>
 #include <thread>
 
-#include "app/editor/document/files.h"
-#include "app/editor/fields/press_id.h"
+#include "app/document/files.h"
+#include "app/document/press_id.h"
 #include "core/material/json.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"

@@ -4,7 +4,7 @@
 #include <QTabWidget>
 #include <QTreeView>
 
-#include "app/editor/fields/press_id.h"
+#include "app/document/press_id.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "tests/gui/editor_hands.h"

@@ -7,9 +7,9 @@
 #include <QTabWidget>
 #include <QToolButton>
 
+#include "app/document/press_id.h"
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/source_section.h"
 #include "app/editor/panels/library_panel.h"

@@ -3,9 +3,9 @@
 #include <QLineEdit>
 #include <QToolButton>
 
-#include "app/editor/curves/line_plot_widget.h"
+#include "app/curves/line_plot_widget.h"
+#include "app/document/press_id.h"
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/layers_section.h"
 #include "core/color/srgb.h"

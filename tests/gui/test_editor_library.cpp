@@ -7,7 +7,7 @@
 #include <QListView>
 #include <QTabWidget>
 
-#include "app/editor/curves/curves_panel.h"
+#include "app/curves/curves_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/source_section.h"
 #include "app/editor/panels/library_model.h"

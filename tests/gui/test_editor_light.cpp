@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <filesystem>
 
-#include "app/editor/document/look.h"
+#include "app/document/look.h"
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/panels/inspector/inspector.h"

@@ -6,7 +6,7 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "app/editor/document/own_materials.h"
+#include "app/document/own_materials.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/project_panel.h"

@@ -10,9 +10,9 @@
 #include <QProgressDialog>
 #include <QSysInfo>
 
-#include "app/editor/document/files.h"
+#include "app/document/files.h"
+#include "app/document/press_id.h"
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/project_panel.h"
 #include "core/base/files/input.h"

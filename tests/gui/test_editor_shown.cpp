@@ -9,10 +9,10 @@
 #include <QTabWidget>
 #include <algorithm>
 
+#include "app/document/press_id.h"
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/path_edit.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/panels/texture_view.h"

@@ -5,9 +5,9 @@
 #include <QTabWidget>
 #include <algorithm>
 
-#include "app/editor/document/files.h"
+#include "app/document/files.h"
+#include "app/document/press_id.h"
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/library_panel.h"

@@ -16,11 +16,11 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include "app/editor/document/look.h"
+#include "app/document/look.h"
+#include "app/document/press_id.h"
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/eyedropper.h"
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/options.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"

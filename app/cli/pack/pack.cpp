@@ -10,7 +10,6 @@
 #include "app/cli/pack/page.h"
 #include "app/cli/pictures/pictures.h"
 #include "app/cli/validate/validate.h"
-#include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/output_folder.h"
@@ -19,6 +18,7 @@
 #include "core/base/memory.h"
 #include "core/base/system.h"
 #include "core/findings/output/formats.h"
+#include "core/pack/pack.h"
 #include "core/project/project_pack.h"
 #include "core/validate/check_pack.h"
 

@@ -10,8 +10,8 @@
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/pack/rects.h"
-#include "core/atlas/pack/pack_cache.h"
-#include "core/atlas/pack/settings.h"
+#include "core/pack/pack_cache.h"
+#include "core/pack/settings.h"
 #include "core/runs/shards.h"
 #include "core/validate/config.h"
 

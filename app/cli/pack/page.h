@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/cli/pack/pack.h"
-#include "core/atlas/pack/pack.h"
 #include "core/base/files/output_folder.h"
+#include "core/pack/pack.h"
 #include "core/pages/atlas_page.h"
 
 namespace etak::cli {

@@ -16,9 +16,9 @@
 #include "core/base/system.h"
 #include "core/base/text/edit_distance.h"
 #include "core/base/text/text.h"
+#include "core/glsl/gl_runner.h"
 #include "core/pages/error_time_report.h"
 #include "core/pages/stability_report.h"
-#include "core/render/glsl/gl_runner.h"
 
 namespace etak::cli {
 namespace {

@@ -18,11 +18,11 @@
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/base/text/text.h"
+#include "core/glsl/glsl_text.h"
+#include "core/glsl/shader_function.h"
 #include "core/light/studio.h"
 #include "core/pages/lists/lists.h"
 #include "core/render/environment.h"
-#include "core/render/glsl/glsl_text.h"
-#include "core/render/glsl/shader_function.h"
 #include "core/render/ground_bounce.h"
 
 namespace etak::cli {

@@ -5,7 +5,7 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "app/editor/fields/press_id.h"
+#include "app/document/press_id.h"
 
 namespace etak::editor {
 

@@ -3,7 +3,7 @@
 
 #include <QDialog>
 
-#include "app/editor/document/dropped_pictures.h"
+#include "app/document/dropped_pictures.h"
 
 class QCheckBox;
 class QDialogButtonBox;

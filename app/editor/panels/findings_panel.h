@@ -5,7 +5,7 @@
 #include <QSortFilterProxyModel>
 #include <QWidget>
 
-#include "app/editor/document/validator.h"
+#include "app/document/validator.h"
 
 class QLabel;
 class QToolButton;

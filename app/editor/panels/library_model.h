@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/editor/document/thumbnails.h"
+#include "app/document/thumbnails.h"
 #include "core/material/library.h"
 
 namespace etak::editor {

@@ -10,9 +10,9 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/editor/document/files.h"
-#include "app/editor/document/pictures.h"
-#include "app/editor/document/thumbnails.h"
+#include "app/document/files.h"
+#include "app/document/pictures.h"
+#include "app/document/thumbnails.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/inspector/sections.h"
 #include "app/viewport/qt_text.h"

@@ -9,12 +9,12 @@
 #include <QVBoxLayout>
 #include <filesystem>
 
-#include "app/editor/document/pictures.h"
+#include "app/document/pictures.h"
 #include "app/viewport/background.h"
-#include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/files/output.h"
 #include "core/findings/output/formats.h"
+#include "core/pack/pack.h"
 #include "core/project/project_pack.h"
 #include "core/validate/check_pack.h"
 

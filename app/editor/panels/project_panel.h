@@ -5,9 +5,9 @@
 #include <QSortFilterProxyModel>
 #include <QWidget>
 
-#include "app/editor/document/document.h"
-#include "app/editor/document/thumbnails.h"
-#include "app/editor/document/validator.h"
+#include "app/document/document.h"
+#include "app/document/thumbnails.h"
+#include "app/document/validator.h"
 
 class QBoxLayout;
 class QLabel;

@@ -11,7 +11,7 @@
 #include <list>
 #include <optional>
 
-#include "app/editor/document/pictures.h"
+#include "app/document/pictures.h"
 #include "app/editor/panels/histogram.h"
 #include "app/editor/panels/inspector/sections.h"
 #include "app/editor/panels/texel_text.h"

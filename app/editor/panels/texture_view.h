@@ -5,7 +5,7 @@
 #include <QRectF>
 #include <QWidget>
 
-#include "app/editor/document/document.h"
+#include "app/document/document.h"
 #include "app/viewport/background.h"
 
 class QLabel;

@@ -6,8 +6,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/document/press_id.h"
 #include "app/editor/fields/flow_layout.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/view_panel.h"
 #include "app/viewport/qt_text.h"
 #include "core/light/studio.h"

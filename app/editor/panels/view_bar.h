@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "app/editor/document/document.h"
+#include "app/document/document.h"
 
 class QAction;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/editor/document/look.h"
+#include "app/document/look.h"
 #include "app/editor/panels/inspector/fields_of.h"
 #include "app/viewport/background.h"
 #include "core/render/engines.h"

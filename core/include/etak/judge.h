@@ -8,17 +8,16 @@
 // #include <etak/judge.h>
 //
 // int main() {
-//   etak::Image8 specular(64, 64, 4);  // F0 as sRGB codes, and gloss
+//   etak::Pictures pictures;
+//   pictures.b = etak::Image8(64, 64, 4);  // F0 as sRGB codes, and gloss
 //   for (int y = 0; y < 64; ++y)
 //     for (int x = 0; x < 64; ++x) {
 //       const int f0 = x < 32 ? 59 : 155;  // F0 0.044, as of stone, and 0.33, which few materials have
-//       for (int c = 0; c < 3; ++c) specular.at(x, y)[c] = static_cast<unsigned char>(f0);
-//       specular.at(x, y)[3] = static_cast<unsigned char>(64 + 2 * y);
+//       for (int c = 0; c < 3; ++c) pictures.b.at(x, y)[c] = static_cast<unsigned char>(f0);
+//       pictures.b.at(x, y)[3] = static_cast<unsigned char>(64 + 2 * y);
 //     }
 //   etak::CheckTarget target;
 //   target.files = {{etak::FileRole::f0_only, "", "stone_specular.png"}};
-//   etak::PicturesInMemory pictures;
-//   pictures.b = &specular;
 //   const etak::CheckedFile file = etak::check_pictures(target, pictures, {});
 //   for (const etak::Finding& finding : file.findings)
 //     std::printf("%s: %s\n", finding.rule.c_str(), finding.message.c_str());

@@ -53,6 +53,6 @@
 #include "core/brdf/models.h"
 #include "core/film/stack.h"
 #include "core/fresnel/fresnel.h"
+#include "core/glsl/glsl_text.h"
 #include "core/light/lights.h"
-#include "core/render/glsl/glsl_text.h"
 #include "core/render/scene.h"

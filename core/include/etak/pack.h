@@ -46,10 +46,10 @@
 
 #include "core/atlas/layout.h"
 #include "core/atlas/manifest.h"
-#include "core/atlas/pack/pack.h"
-#include "core/atlas/pack/settings.h"
 #include "core/base/error.h"
 #include "core/image/image_io.h"
 #include "core/image/load.h"
 #include "core/material/library.h"
+#include "core/pack/pack.h"
+#include "core/pack/settings.h"
 #include "core/project/project_pack.h"

@@ -39,11 +39,11 @@
 //                (GlRunner::open() gives the reason instead)
 
 #include "core/base/error.h"
+#include "core/glsl/gl_runner.h"
 #include "core/image/files/png.h"
 #include "core/image/image.h"
 #include "core/image/image_io.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/display.h"
 #include "core/render/environment.h"
-#include "core/render/glsl/gl_runner.h"
 #include "core/render/scene.h"

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "core/exchange/surfaces/document.h"
-#include "core/judge/maps/map_evidence.h"
-#include "core/judge/maps/other_content.h"
 #include "core/judge/pixels/components.h"
 #include "core/judge/pixels/edge_steps.h"
 #include "core/judge/target.h"
+#include "core/maps/map_evidence.h"
+#include "core/maps/other_content.h"
 
 namespace etak {
 

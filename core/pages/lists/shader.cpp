@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/json/json_text.h"
 #include "core/base/number.h"
+#include "core/glsl/glsl_text.h"
+#include "core/glsl/shader_function.h"
 #include "core/pages/lists/lists.h"
-#include "core/render/glsl/glsl_text.h"
-#include "core/render/glsl/shader_function.h"
 
 namespace etak {
 namespace {

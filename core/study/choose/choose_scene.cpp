@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "core/atlas/manifest.h"
-#include "core/atlas/pack/scene/scene_output.h"
 #include "core/atlas/sources/pictures.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/files/paths.h"
 #include "core/material/find.h"
+#include "core/pack/scene/scene_output.h"
 #include "core/scene/gltf.h"
 
 namespace etak {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/pack/pack.h"
 #include "core/material/library.h"
+#include "core/pack/pack.h"
 #include "core/study/choose/choose.h"
 
 namespace etak {

@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "core/brdf/models.h"
+#include "core/glsl/gl_runner.h"
 #include "core/image/files/png.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
 #include "core/math/functions.h"
-#include "core/render/glsl/gl_runner.h"
 #include "core/study/choose/choose_models.h"
 #include "core/study/error_time.h"
 #include "core/study/made_pages.h"

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/pack/blocks/block_codec.h"
-#include "core/atlas/pack/blocks/budget.h"
 #include "core/base/number.h"
 #include "core/image/astc_codec.h"
+#include "core/pack/blocks/block_codec.h"
+#include "core/pack/blocks/budget.h"
 #include "core/study/families/families.h"
 #include "core/study/made_pages.h"
 #include "core/study/measure.h"

@@ -33,8 +33,8 @@ std::unique_ptr<RowSource> open_role(const CheckTarget& target, const PictureOpe
 void check_pair(const CheckTarget& target, const PictureOpener& opener, const Settings& settings,
                 unsigned threads, Evidence& evidence, CheckedFile& file) {
   if (!target.manifest.parts.empty()) {
-    const LoadedPictures whole = put_together(target, opener);
-    const auto of_material = [&](Needs) { return whole.in_memory().rows(); };
+    const Pictures whole = put_together(target, opener);
+    const auto of_material = [&](Needs) { return whole.rows(); };
     return look_at_pixels(target, of_material, settings, threads, evidence, file);
   }
   const auto open = [&](Needs needs) {
@@ -91,12 +91,12 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
   evidence.metal_rough = !set.is_specular();
   CheckTarget weighed = target;
   if (evidence.metal_rough) weighed.manifest.specular_weighs_diffuse = true;
-  std::optional<LoadedPictures> whole;
+  std::optional<Pictures> whole;
   const auto open = [&](Needs) {
     if (!whole)
       if (PictureRows rows = set.rows(); rows.b) return rows;
     if (!whole) whole = set.convert();
-    return whole->in_memory().rows();
+    return whole->rows();
   };
   look_at_pixels(weighed, open, settings, threads, evidence, file);
   for (std::size_t i = 0; i < target.files.size(); ++i)
@@ -128,7 +128,7 @@ void check_scene(const TargetFile& of_scene, const CheckTarget& target, const Pi
   const bool wants_pixels = needs_of(target, settings).pixels();
   if (wants_pixels)
     for (const SceneLook& look : check.looks()) {
-      LoadedPictures pictures = check.pictures_of(look);
+      Pictures pictures = check.pictures_of(look);
       auto use = texels_in_use(uses, look.materials, pictures.a.width, pictures.a.height);
       add_look(check.judge(look, {std::move(pictures), std::move(use), check.labels_of(look)},
                            target.manifest, settings, threads),

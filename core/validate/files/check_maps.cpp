@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/image/load.h"
-#include "core/judge/maps/map_survey.h"
+#include "core/maps/map_survey.h"
 #include "core/names/names.h"
 #include "core/validate/files/load.h"
 

@@ -10,14 +10,9 @@ std::unique_ptr<RowSource> open_target_file(const TargetFile& file, const Pictur
   return file.bytes ? open_picture(*file.bytes, file.label, door) : open_picture(file.path, door);
 }
 
-PicturesInMemory LoadedPictures::in_memory() const {
-  return {a.width == 0 ? nullptr : &a, b.width == 0 ? nullptr : &b,
-          metallic.width == 0 ? nullptr : &metallic};
-}
-
-LoadedPictures load_pictures(const CheckTarget& target, const PictureDoor& door) {
+Pictures load_pictures(const CheckTarget& target, const PictureDoor& door) {
   if (MetalRoughSet::is_set(target)) return MetalRoughSet(target, door).convert();
-  LoadedPictures out;
+  Pictures out;
   const auto load = [&](const TargetFile* file, Image8& to) {
     if (file == nullptr) return;
     Image8 codes;

@@ -16,12 +16,8 @@ using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&
 /// Throws Error.
 std::unique_ptr<RowSource> open_target_file(const TargetFile& file, const PictureDoor& door);
 
-/// The pictures of a target as codes (a metal-rough set is converted first), for mask pictures and
-/// thumbnails. A and B as the rules see them; empty (0 x 0) where there is none. Throws Error.
-struct LoadedPictures {
-  Image8 a, b, metallic;
-  PicturesInMemory in_memory() const;
-};
-LoadedPictures load_pictures(const CheckTarget& target, const PictureDoor& door);
+/// The pictures of a target as the rules see them (a metal-rough set is converted first), for mask pictures and
+/// thumbnails. Throws Error.
+Pictures load_pictures(const CheckTarget& target, const PictureDoor& door);
 
 }  // namespace etak

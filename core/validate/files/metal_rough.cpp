@@ -37,12 +37,12 @@ const PictureHeader& ScenePictures::header(int image) {
   return headers_[i];
 }
 
-LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures) {
+Pictures convert_material(const GltfMaterial& material, ScenePictures& pictures) {
   std::size_t clamped = 0;
   const SceneImages<std::uint8_t> images = [&](int image) -> const Image8& { return pictures.codes(image); };
   MaterialPair pair = scene_material_pair(material, images, GlossForm::one_minus_roughness,
                                           material.alpha_mode != AlphaMode::opaque, clamped);
-  LoadedPictures out;
+  Pictures out;
   out.metallic = scene_metallic(material, images, pair.diffuse_alpha.width, pair.diffuse_alpha.height);
   out.a = std::move(pair.diffuse_alpha);
   out.b = std::move(pair.specular_gloss);
@@ -147,7 +147,7 @@ void MetalRoughSet::count_codes(std::size_t image, const Image8& codes, int firs
     }
 }
 
-LoadedPictures MetalRoughSet::convert() {
+Pictures MetalRoughSet::convert() {
   if (occlusion_) {
     occlusion_->codes = {};
     count_occlusion(pictures_.codes(static_cast<int>(occlusion_->file)), *occlusion_);
@@ -195,7 +195,7 @@ Image8 MetalRoughSet::joined(ScenePictures& pictures) const {
   return out;
 }
 
-LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
+Pictures MetalRoughSet::convert(ScenePictures& pictures) const {
   if (joined_ >= 0) pictures.set(joined_, joined(pictures));
   return convert_material(material_, pictures);
 }
@@ -210,8 +210,7 @@ class MetalRoughStrips {
     std::ranges::fill(*set_.data_, DataCodes{});
   }
 
-  void copy_rows(Image8 LoadedPictures::*picture, int first, int count, std::uint8_t* rgba,
-                 std::size_t stride) {
+  void copy_rows(Image8 Pictures::*picture, int first, int count, std::uint8_t* rgba, std::size_t stride) {
     const std::lock_guard guard(lock_);
     if (first == end_) decode(count);
     rows_of(strip_.*picture)->read_rows(rgba, stride, count);
@@ -241,7 +240,7 @@ class MetalRoughStrips {
   const std::vector<std::unique_ptr<RowSource>> files_;
   std::mutex lock_;
   ScenePictures pictures_;
-  LoadedPictures strip_;
+  Pictures strip_;
   int end_ = 0;
   std::exception_ptr failure_;
 };
@@ -250,8 +249,7 @@ namespace {
 
 class ConvertedRows final : public RowSource {
  public:
-  ConvertedRows(std::shared_ptr<MetalRoughStrips> strips, Image8 LoadedPictures::*picture,
-                PictureHeader header)
+  ConvertedRows(std::shared_ptr<MetalRoughStrips> strips, Image8 Pictures::*picture, PictureHeader header)
       : RowSource(std::move(header)), strips_(std::move(strips)), picture_(picture) {}
 
   void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
@@ -261,7 +259,7 @@ class ConvertedRows final : public RowSource {
 
  private:
   std::shared_ptr<MetalRoughStrips> strips_;
-  Image8 LoadedPictures::*picture_;
+  Image8 Pictures::*picture_;
   int next_ = 0;
 };
 
@@ -284,11 +282,11 @@ PictureRows MetalRoughSet::rows() {
   header.format = "memory";
   const auto strips = std::make_shared<MetalRoughStrips>(*this, std::move(files));
   PictureRows rows;
-  rows.a = std::make_unique<ConvertedRows>(strips, &LoadedPictures::a, header);
-  rows.b = std::make_unique<ConvertedRows>(strips, &LoadedPictures::b, header);
+  rows.a = std::make_unique<ConvertedRows>(strips, &Pictures::a, header);
+  rows.b = std::make_unique<ConvertedRows>(strips, &Pictures::b, header);
   if (is_specular()) return rows;
   header.channels = 1;
-  rows.metallic = std::make_unique<ConvertedRows>(strips, &LoadedPictures::metallic, header);
+  rows.metallic = std::make_unique<ConvertedRows>(strips, &Pictures::metallic, header);
   return rows;
 }
 

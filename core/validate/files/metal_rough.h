@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/judge/maps/map_evidence.h"
 #include "core/judge/pixels/evidence.h"
 #include "core/judge/target.h"
+#include "core/maps/map_evidence.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/load.h"
 
@@ -36,7 +36,7 @@ class ScenePictures {
 /// A material as the rules see it: diffuse + alpha, F0 + gloss (as 1 - roughness, so that values clip in the
 /// file only and not by the conversion), and the metallic channel, all of the size of its largest texture.
 /// metallic is empty for the specular-glossiness model.
-LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures);
+Pictures convert_material(const GltfMaterial& material, ScenePictures& pictures);
 
 /// The files of a material as one: base colour with metallic and roughness, which are single files or
 /// channels of packed ones, or diffuse and specular with gloss in a file of its own. A constant replaces
@@ -47,7 +47,7 @@ class MetalRoughSet {
   /// Opens no file yet. `door` must outlive this object.
   MetalRoughSet(const CheckTarget& target, const PictureDoor& door);
   /// The converted pictures, whole. Throws Error for a file that cannot be read.
-  LoadedPictures convert();
+  Pictures convert();
   /// The converted pictures in strips of rows; each call begins at the top. The three sources must be read in
   /// step, on any threads. No source where a file must be loaded whole or the files differ in size.
   PictureRows rows();
@@ -83,7 +83,7 @@ class MetalRoughSet {
   void count_codes(std::size_t image, const Image8& codes, int first_row, int height) const;
   void add_channels(std::string_view letters, int image);
   Image8 joined(ScenePictures& pictures) const;
-  LoadedPictures convert(ScenePictures& pictures) const;
+  Pictures convert(ScenePictures& pictures) const;
 
   const PictureDoor* door_;
   std::vector<PictureFile> images_;

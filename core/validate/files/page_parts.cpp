@@ -50,10 +50,10 @@ FileRole role_of(Texture texture) {
 
 }  // namespace
 
-LoadedPictures put_together(const CheckTarget& target, const PictureOpener& open) {
+Pictures put_together(const CheckTarget& target, const PictureOpener& open) {
   const std::vector<AtlasRect>& parts = target.manifest.parts;
   const int width = parts.front().source_width, height = parts.front().source_height;
-  LoadedPictures out{Image8(width, height, 4), Image8(width, height, 4), {}};
+  Pictures out{Image8(width, height, 4), Image8(width, height, 4), {}};
   for (const AtlasRect& rect : parts) {
     if (rect.source_width != width || rect.source_height != height || rect.crop.x + rect.crop.width > width ||
         rect.crop.y + rect.crop.height > height)

@@ -11,7 +11,7 @@ struct Evidence;
 
 /// Both pictures of a material whose parts lie apart, put together from its regions of the page's files. Throws Error for a page that
 /// does not hold a region.
-LoadedPictures put_together(const CheckTarget& target, const PictureOpener& open);
+Pictures put_together(const CheckTarget& target, const PictureOpener& open);
 
 /// Puts the places of findings about such a material on the page: of colours and F0 where these lie.
 void put_parts_on_page(const CheckTarget& target, const Evidence& evidence, CheckedFile& file);

@@ -95,7 +95,10 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialCheck& b
       std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
       for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
     }
-    out = check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, by.threads);
+    const auto open = [&](Needs) {
+      return PictureRows{rows_of(pair.diffuse_alpha), rows_of(pair.specular_gloss), nullptr};
+    };
+    out = check_rows(target, open, own, by.threads);
   };
   if (kept != nullptr && has_packed_textures(material)) {
     kept->use(material, library, door, most_texels, look);

@@ -183,7 +183,7 @@ std::vector<SceneLook> SceneCheck::looks() const {
   return out;
 }
 
-LoadedPictures SceneCheck::pictures_of(const SceneLook& look) {
+Pictures SceneCheck::pictures_of(const SceneLook& look) {
   return convert_material(lead(look), pictures_);
 }
 
@@ -211,7 +211,7 @@ JudgedLook SceneCheck::judge(const SceneLook& look, LookTexels texels, const Man
   evidence.metal_rough = !material.specular_glossiness;
   const std::size_t hidden = hide_unused(pictures, use);
   look_at_pixels(
-      part, [&](Needs) { return texels.pictures.in_memory().rows(); }, settings, threads, evidence, out.file);
+      part, [&](Needs) { return texels.pictures.rows(); }, settings, threads, evidence, out.file);
   forget_unused(evidence, hidden);
   // The alpha of an opaque material has no effect, so that its picture counts as one without alpha.
   if (evidence.a) evidence.a->header.channels = material.alpha_mode == AlphaMode::opaque || !color ? 3 : 4;

@@ -31,7 +31,7 @@ struct JudgedLook {
 ///   use      as of texels_in_use()
 ///   labels   the files that findings are said to be in
 struct LookTexels {
-  LoadedPictures pictures;
+  Pictures pictures;
   std::vector<std::uint8_t> use;
   std::array<std::string, 2> labels;
 };
@@ -48,7 +48,7 @@ class SceneCheck {
   std::vector<SceneLook> looks() const;
 
   /// The pictures of a look as the scene's files have them. Throws Error.
-  LoadedPictures pictures_of(const SceneLook& look);
+  Pictures pictures_of(const SceneLook& look);
   /// The files that hold its colour and its F0 or metal; the scene where it has none.
   std::array<std::string, 2> labels_of(const SceneLook& look) const;
 

@@ -164,7 +164,7 @@ void SceneOnPages::start(const AtlasLayout& layout) {
 // the constants that the layout has in the place of channels, and 0 until their page comes.
 void SceneOnPages::begin(Look& look) const {
   const PackedScene::Material& first = *packed(look.look.materials.front());
-  LoadedPictures& to = look.pictures;
+  Pictures& to = look.pictures;
   to.a = first.pair->diffuse_alpha;
   to.b = first.pair->specular_gloss;
   to.metallic = *first.metallic;

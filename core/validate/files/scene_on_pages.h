@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/atlas/layout.h"
-#include "core/atlas/pack/scene/gltf_pack.h"
 #include "core/image/channels.h"
+#include "core/pack/scene/gltf_pack.h"
 #include "core/validate/files/scene_check.h"
 
 namespace etak {
@@ -63,7 +63,7 @@ class SceneOnPages {
     bool packed = false;        // all of its materials are
     std::vector<Place> places;  // of all its materials, which may share texels
     int last_page = -1;         // -1: it is on none
-    LoadedPictures pictures;
+    Pictures pictures;
   };
   using Codes = std::array<std::optional<std::uint8_t>, channel_count>;
 

@@ -105,7 +105,7 @@ std::vector<std::uint8_t> texels_in_use(std::span<const TexelUse* const> uses) {
   return out;
 }
 
-std::size_t hide_unused(LoadedPictures& pictures, const std::vector<std::uint8_t>& use) {
+std::size_t hide_unused(Pictures& pictures, const std::vector<std::uint8_t>& use) {
   if (use.empty()) return 0;
   std::size_t hidden = 0;
   Image8& a = pictures.a;

@@ -38,7 +38,7 @@ std::vector<std::uint8_t> texels_in_use(std::span<const TexelUse* const> uses);
 
 /// Hides the texels that are not in use from the rules by an alpha of 0. Beside visible texels they also get
 /// the colour of these, so that ETK502 finds no fringe there. Returns the number of hidden texels.
-std::size_t hide_unused(LoadedPictures& pictures, const std::vector<std::uint8_t>& use);
+std::size_t hide_unused(Pictures& pictures, const std::vector<std::uint8_t>& use);
 
 /// Subtracts the hidden texels from the counts, so that shares are of the texels in use.
 void forget_unused(Evidence& evidence, std::size_t hidden);

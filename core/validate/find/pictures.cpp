@@ -24,9 +24,9 @@
 namespace etak {
 namespace {
 
-class Pictures {
+class PicturesFinder {
  public:
-  Pictures(const Searched& searched, const FilesOfPictures& files, Finds& finds)
+  PicturesFinder(const Searched& searched, const FilesOfPictures& files, Finds& finds)
       : searched_(searched), files_(files), finds_(finds) {}
 
   void run() {
@@ -264,7 +264,7 @@ class Pictures {
 }  // namespace
 
 void take_pictures(const Searched& searched, const FilesOfPictures& files, Finds& finds) {
-  Pictures(searched, files, finds).run();
+  PicturesFinder(searched, files, finds).run();
 }
 
 }  // namespace etak

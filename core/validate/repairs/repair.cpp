@@ -103,7 +103,7 @@ void RepairPicture::put_through(const std::function<double(double)>& curve) {
 }
 
 Image8 RepairBench::marks(RegionKind kind) const {
-  return region_picture(kind, seen_.in_memory(), target, settings);
+  return region_picture(kind, seen_, target, settings);
 }
 
 RepairPicture* RepairBench::with_role(std::initializer_list<FileRole> roles) const {

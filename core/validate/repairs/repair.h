@@ -57,7 +57,7 @@ struct RepairPicture {
 class RepairBench {
  public:
   RepairBench(std::span<RepairPicture> pictures_, const CheckTarget& target_, const Settings& settings_,
-              const Finding& finding_, const LoadedPictures& seen)
+              const Finding& finding_, const Pictures& seen)
       : pictures(pictures_), target(target_), settings(settings_), finding(finding_), seen_(seen) {}
 
   std::span<RepairPicture> pictures;
@@ -65,7 +65,7 @@ class RepairBench {
   const Settings& settings;
   const Finding& finding;
 
-  const LoadedPictures& seen() const { return seen_; }
+  const Pictures& seen() const { return seen_; }
   Image8 marks(RegionKind kind) const;
 
   /// The picture of one of these roles; null: there is none.
@@ -74,7 +74,7 @@ class RepairBench {
   RepairPicture* named() const;
 
  private:
-  const LoadedPictures& seen_;
+  const Pictures& seen_;
 };
 
 /// The outcome of a repair.

@@ -223,7 +223,7 @@ class TargetRepair {
 
   void try_repair(const Finding& finding) {
     std::vector<RepairPicture> pictures = pictures_;
-    const LoadedPictures seen = is_map_set(now_) ? LoadedPictures{} : load_pictures(now_, request_.door);
+    const Pictures seen = is_map_set(now_) ? Pictures{} : load_pictures(now_, request_.door);
     Settings settings = request_.settings;
     settings.transfer = now_.manifest.transfer.value_or(settings.transfer);
     const RepairOutcome outcome =

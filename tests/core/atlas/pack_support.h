@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/atlas/layout.h"
-#include "core/atlas/pack/pack.h"
 #include "core/image/files/png.h"
 #include "core/image/load.h"
+#include "core/pack/pack.h"
 #include "tests/core/image/png_of.h"
 #include "tests/support.h"
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/pack/pack.h"
 #include "core/color/srgb.h"
 #include "core/image/image_io.h"
 #include "core/image/load.h"
+#include "core/pack/pack.h"
 #include "core/scene/gltf.h"
 #include "tests/core/material/library_support.h"
 #include "tests/support.h"
@@ -40,9 +40,9 @@ inline Image8 picture_of(const PictureFile& image) {
 }
 
 // The pictures of a scene, read when first asked for.
-class Pictures {
+class ReadPictures {
  public:
-  explicit Pictures(const GltfScene& scene) : scene_(scene) {}
+  explicit ReadPictures(const GltfScene& scene) : scene_(scene) {}
   const Image8& operator()(int image) {
     const auto found = pictures_.find(image);
     if (found != pictures_.end()) return found->second;

@@ -29,7 +29,7 @@ struct Surface {
 // Textures as samplers find them at level 0.
 class Samplers {
  public:
-  Samplers(Pictures& pictures, bool nearest) : pictures_(pictures), nearest_(nearest) {}
+  Samplers(ReadPictures& pictures, bool nearest) : pictures_(pictures), nearest_(nearest) {}
 
   // Fractions; colours in linear light. Full where there is no texture.
   std::array<double, 4> at(const std::optional<GltfTexture>& texture, const Place& uv, bool color) {
@@ -70,7 +70,7 @@ class Samplers {
     for (std::size_t i = 0; i < 256; ++i) out[i] = srgb_decode(static_cast<double>(i) / 255);
     return out;
   }
-  Pictures& pictures_;
+  ReadPictures& pictures_;
   bool nearest_;
   std::array<double, 256> decoded_ = decoded();
 };
@@ -189,7 +189,7 @@ ShadedDifference shaded_difference(const std::string& before_path, const std::st
   using namespace shading;
   const GltfScene before = read_gltf(before_path, {}), after = read_gltf(after_path, {});
   REQUIRE(before.uses.size() == after.uses.size());
-  Pictures old_pictures(before), new_pictures(after);
+  ReadPictures old_pictures(before), new_pictures(after);
   Samplers old_nearest(old_pictures, true), new_nearest(new_pictures, true),
       old_bilinear(old_pictures, false), new_bilinear(new_pictures, false);
   double all = 0;

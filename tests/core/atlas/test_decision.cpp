@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the packer decides before a texel is placed: regions, pages, mips and resolutions.
-#include "core/atlas/pack/decision.h"
+#include "core/pack/decision.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures that stay beside the pages are written as what their texels need.
-#include "core/atlas/pack/scene/kept_pictures.h"
+#include "core/pack/scene/kept_pictures.h"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -81,7 +81,7 @@ TEST_CASE("scene.gltf reads one texel of pictures of one colour, and looks the s
     if (keep) options.leave_out.keep.insert("files");
     const PackResult report = pack_scene(scene, folder.file("out"), false, options);
     const GltfScene packed = read_gltf(folder.file("out/scene.gltf"), {});
-    Pictures pictures(packed);
+    ReadPictures pictures(packed);
     REQUIRE(packed.materials.size() == 2);
     const GltfMaterial &flat = packed.materials[0], &tilted = packed.materials[1];
     REQUIRE(flat.normal_texture);

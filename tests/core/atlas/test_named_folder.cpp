@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "core/atlas/pack/pack.h"
-#include "core/atlas/pack/source.h"
 #include "core/image/files/png.h"
+#include "core/pack/pack.h"
+#include "core/pack/source.h"
 #include "tests/support.h"
 
 using namespace etak;

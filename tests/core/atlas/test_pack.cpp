@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/atlas/pack/pack.h"
 #include "core/color/srgb.h"
 #include "core/material/f0.h"
+#include "core/pack/pack.h"
 #include "tests/core/atlas/pack_support.h"
 
 using namespace etak;

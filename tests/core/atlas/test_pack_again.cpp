@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/atlas/pack/pack.h"
+#include "core/pack/pack.h"
 #include "tests/core/atlas/pack_support.h"
 
 using namespace etak;

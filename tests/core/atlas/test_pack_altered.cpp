@@ -40,7 +40,7 @@ void each_copy(const Act& act) {
 // equal textures not have to hold more texels than were given.
 bool are_of_one_size(const std::string& path) {
   const GltfScene scene = read_gltf(path, {});
-  Pictures pictures(scene);
+  ReadPictures pictures(scene);
   for (const GltfMaterial& m : scene.materials) {
     std::set<std::pair<int, int>> sizes;
     for (const GltfTexture* texture : replaced_textures(m)) {

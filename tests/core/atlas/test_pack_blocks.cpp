@@ -5,12 +5,12 @@
 #include <map>
 #include <tuple>
 
-#include "core/atlas/pack/blocks/budget.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/image/astc_codec.h"
 #include "core/image/files/containers.h"
 #include "core/image/image_io.h"
+#include "core/pack/blocks/budget.h"
 #include "tests/core/atlas/pack_support.h"
 
 namespace etak {

@@ -59,7 +59,7 @@ std::array<double, 3> base_at(const GltfScene& scene, std::size_t use, std::size
   const auto& texture = m.specular_glossiness ? m.diffuse_texture : m.base_color_texture;
   const auto& factor = m.specular_glossiness ? m.diffuse : m.base_color;
   REQUIRE(texture);
-  Pictures files(scene);
+  ReadPictures files(scene);
   const auto texel =
       lookup(files(texture->image), *texture, scene.uses[use].uv[texture->uv_set][0][corner], Filter::light);
   return {texel[0] * factor[0], texel[1] * factor[1], texel[2] * factor[2]};

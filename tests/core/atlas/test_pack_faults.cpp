@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
+#include "core/pack/pack.h"
 #include "tests/core/atlas/pack_support.h"
 
 using namespace etak;

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <random>
 
-#include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/image/dilate.h"
 #include "core/image/image_io.h"
 #include "core/image/mips.h"
 #include "core/material/f0.h"
+#include "core/pack/pack.h"
 #include "tests/core/atlas/pack_support.h"
 #include "tests/core/image/tiff_files.h"
 

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/atlas/pack/pack.h"
 #include "core/image/mips.h"
+#include "core/pack/pack.h"
 #include "tests/core/atlas/pack_support.h"
 #include "tests/core/scene/small_scene.h"
 

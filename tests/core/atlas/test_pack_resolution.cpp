@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/atlas/pack/pack.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/pack/pack.h"
 #include "core/scene/gltf_convert.h"
 #include "tests/core/atlas/pack_support.h"
 #include "tests/core/scene/small_scene.h"

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <map>
 
-#include "core/atlas/pack/pack.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/image/image_io.h"
 #include "core/image/load.h"
+#include "core/pack/pack.h"
 #include "core/scene/gltf.h"
 #include "core/scene/gltf_convert.h"
 #include "tests/core/atlas/pack_support.h"
@@ -46,7 +46,8 @@ Look look_of(const GltfMaterial& m, const MaterialPair& pair, const std::array<f
 }
 
 // The same from the packed scene, whose material reads several page pictures with factors.
-Look packed_look(const GltfMaterial& m, Pictures& pictures, const std::array<float, 2>& uv, Filter filter) {
+Look packed_look(const GltfMaterial& m, ReadPictures& pictures, const std::array<float, 2>& uv,
+                 Filter filter) {
   Look out;
   const auto base = codes_of_linear({m.base_color[0], m.base_color[1], m.base_color[2]});
   const auto f0 = codes_of_linear({m.specular_color[0], m.specular_color[1], m.specular_color[2]});
@@ -97,7 +98,7 @@ double worst_difference(const std::string& path, const std::string& packed_path,
                         Filter filter = Filter::codes) {
   const GltfScene before = read_gltf(path, {}), after = read_gltf(packed_path, {});
   REQUIRE(before.uses.size() == after.uses.size());
-  Pictures old_pictures(before), new_pictures(after);
+  ReadPictures old_pictures(before), new_pictures(after);
   std::map<int, MaterialPair> pairs;
   double worst = 0;
   for (std::size_t u = 0; u < before.uses.size(); ++u) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <set>
 
-#include "core/atlas/pack/settings.h"
+#include "core/pack/settings.h"
 #include "tests/core/atlas/pack_support.h"
 
 using namespace etak;

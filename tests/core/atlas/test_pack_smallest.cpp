@@ -18,7 +18,7 @@ constexpr double uv_rounding = 0.02;
 using TextureOf = std::optional<GltfTexture> GltfMaterial::*;
 
 // What a sampler finds in a texture, as codes: grey in all three colours, and full where there is none.
-std::array<double, 4> found(Pictures& pictures, const GltfMaterial& m, TextureOf which,
+std::array<double, 4> found(ReadPictures& pictures, const GltfMaterial& m, TextureOf which,
                             const std::array<float, 2>& uv) {
   const std::optional<GltfTexture>& texture = m.*which;
   if (!texture) return {255, 255, 255, 255};
@@ -30,7 +30,7 @@ std::array<double, 4> found(Pictures& pictures, const GltfMaterial& m, TextureOf
 
 // Whether all texels of a texture say the same, and the packed material's factors say it: of base colour red and
 // alpha are looked at, of metal and roughness both.
-bool is_in_factors(Pictures& pictures, const GltfMaterial& m, const GltfMaterial& p, TextureOf which) {
+bool is_in_factors(ReadPictures& pictures, const GltfMaterial& m, const GltfMaterial& p, TextureOf which) {
   const Image8& picture = pictures((m.*which)->image);
   const auto channels = static_cast<std::size_t>(picture.channels);
   for (std::size_t i = channels; i < picture.values.size(); ++i)
@@ -49,7 +49,7 @@ bool is_in_factors(Pictures& pictures, const GltfMaterial& m, const GltfMaterial
 // of triangles; from channel `first`.
 double worst_texture(const GltfScene& before, const GltfScene& after, TextureOf which, std::size_t first,
                      std::size_t channels) {
-  Pictures old_pictures(before), new_pictures(after);
+  ReadPictures old_pictures(before), new_pictures(after);
   double worst = 0;
   for (std::size_t u = 0; u < before.uses.size(); ++u) {
     const GltfUse &from = before.uses[u], &to = after.uses[u];

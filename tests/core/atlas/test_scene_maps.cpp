@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Textures beside the pair: which of them lie on the pages, when that is worth it, and their texels there.
-#include "core/atlas/pack/scene/scene_maps.h"
+#include "core/pack/scene/scene_maps.h"
 
 #include <catch2/catch.hpp>
 

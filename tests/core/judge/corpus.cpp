@@ -102,8 +102,7 @@ CheckedFile check_set(const TextureSet& set, const Settings& settings, unsigned 
     };
     return check_rows(target, open, settings, threads);
   }
-  return check_pictures(target, {&set.a, &set.b, set.metallic.width != 0 ? &set.metallic : nullptr}, settings,
-                        threads);
+  return check_pictures(target, {set.a, set.b, set.metallic}, settings, threads);
 }
 
 bool found(const CheckedFile& file, std::string_view rule, Severity at_least) {

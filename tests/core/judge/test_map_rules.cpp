@@ -9,8 +9,8 @@
 
 #include "core/color/srgb.h"
 #include "core/judge/engine.h"
-#include "core/judge/maps/map_survey.h"
 #include "core/judge/rules.h"
+#include "core/maps/map_survey.h"
 #include "tests/core/judge/corpus.h"
 #include "tests/core/judge/made_maps.h"
 #include "tests/core/validate/checked.h"

@@ -5,7 +5,7 @@
 
 #include "core/color/srgb.h"
 #include "core/image/image.h"
-#include "core/judge/maps/normals.h"
+#include "core/maps/normals.h"
 #include "tests/core/judge/corpus.h"
 
 using namespace etak;

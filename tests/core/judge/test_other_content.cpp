@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/judge/maps/other_content.h"
+#include "core/maps/other_content.h"
 #include "tests/core/judge/corpus.h"
 #include "tests/support.h"
 

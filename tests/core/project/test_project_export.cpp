@@ -98,7 +98,7 @@ TEST_CASE("textures of a glTF export give back diffuse, F0, roughness and opacit
     (void)from.write(form, file);
     files.push_back(from.folder.file(file));
     const GltfScene scene = read_gltf(files.back(), {});
-    Pictures pictures(scene);
+    ReadPictures pictures(scene);
     REQUIRE(scene.materials.size() == 4);
     CHECK(contains(read_file(files.back()), "\"emissiveFactor\": [1, 0.5, 0]"));
     const GltfMaterial& wood = scene.materials[0];

@@ -7,9 +7,9 @@
 #include <string>
 #include <tuple>
 
-#include "core/atlas/pack/pack.h"
 #include "core/base/files/output.h"
 #include "core/findings/output/formats.h"
+#include "core/pack/pack.h"
 #include "core/validate/check_pack.h"
 #include "core/validate/validate.h"
 #include "tests/core/atlas/scene_support.h"

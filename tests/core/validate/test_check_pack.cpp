@@ -129,7 +129,7 @@ TEST_CASE("islands of a material have one finding for each rule, with the worst 
   const std::vector<CheckTarget> targets =
       targets_of_layout(layout, "atlas/layout.json", "atlas/layout.json");
   REQUIRE(!targets.empty());
-  const CheckedFile file = check_pictures(targets[0], {&a, &b, nullptr}, {}, 1);
+  const CheckedFile file = check_pictures(targets[0], {a, b, {}}, {}, 1);
   std::vector<Finding> zone;
   for (const Finding& finding : file.findings)
     if (finding.rule == "ETK101") zone.push_back(finding);
@@ -171,7 +171,7 @@ CheckedFile check_blue(const std::vector<std::pair<std::string, std::string>>& n
   const AtlasLayout read = parse_layout(layout_json(layout), "layout.json");
   CHECK(read == layout);
   return check_pictures(targets_of_layout_text(layout_json(layout), "layout.json", "layout.json").at(0),
-                        {&a, &b, nullptr}, {}, 1);
+                        {a, b, {}}, {}, 1);
 }
 
 const Finding& hue_of(const CheckedFile& file) {

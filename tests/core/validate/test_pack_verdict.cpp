@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "core/atlas/pack/pack.h"
 #include "core/atlas/texels/page_pixels.h"
+#include "core/pack/pack.h"
 #include "tests/core/atlas/altered_models.h"
 #include "tests/core/atlas/scene_support.h"
 #include "tests/core/image/png_of.h"

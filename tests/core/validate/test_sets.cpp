@@ -247,10 +247,10 @@ TEST_CASE("a metal-rough set read in strips says what the whole says, for any nu
                   {FileRole::roughness, folder.file("roughness.png"), "roughness.png", false}};
   const PictureDoor door = picture_door();
   CHECK(MetalRoughSet(target, door).rows().b != nullptr);
-  const LoadedPictures loaded = load_pictures(target, door);
+  const Pictures loaded = load_pictures(target, door);
   CheckTarget weighed = target;
   weighed.manifest.specular_weighs_diffuse = true;
-  const CheckedFile whole = check_pictures(weighed, loaded.in_memory(), {});
+  const CheckedFile whole = check_pictures(weighed, loaded, {});
   CHECK(has(whole, "ETK101"));
   for (const unsigned threads : {1u, 3u}) {
     const CheckedFile strips = checked(target, {}, threads);

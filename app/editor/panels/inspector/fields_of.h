@@ -7,9 +7,9 @@
 #include <functional>
 #include <vector>
 
+#include "app/document/press_id.h"
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector/sections.h"
 
 namespace etak::editor {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <memory>
 
-#include "app/editor/document/files.h"
-#include "app/editor/document/validator.h"
+#include "app/document/files.h"
+#include "app/document/validator.h"
 #include "app/editor/panels/inspector/layers_section.h"
 #include "app/editor/panels/inspector/model_section.h"
 #include "app/editor/panels/inspector/source_section.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/editor/document/document.h"
+#include "app/document/document.h"
 #include "app/editor/panels/inspector/fields_of.h"
 #include "app/viewport/background.h"
 

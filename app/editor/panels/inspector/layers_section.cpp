@@ -7,7 +7,7 @@
 #include <QStyleOptionSlider>
 #include <cmath>
 
-#include "app/editor/curves/line_plot_widget.h"
+#include "app/curves/line_plot_widget.h"
 #include "app/editor/fields/add_button.h"
 #include "app/editor/fields/number_field.h"
 #include "app/viewport/qt_text.h"

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "app/editor/document/document.h"
-#include "app/editor/fields/press_id.h"
+#include "app/document/document.h"
+#include "app/document/press_id.h"
 #include "app/editor/panels/inspector/sections.h"
 #include "app/viewport/background.h"
 #include "core/material/stack_text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/editor/document/document.h"
+#include "app/document/document.h"
 #include "app/editor/panels/inspector/sections.h"
 
 namespace etak::editor {

@@ -4,8 +4,8 @@
 #include <QCompleter>
 #include <QLineEdit>
 
+#include "app/document/press_id.h"
 #include "app/editor/fields/add_button.h"
-#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector/data_sentences.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/pack/blocks/budget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/setting.h"
+#include "core/base/text/text.h"
+#include "core/color/delta_e.h"
+#include "core/color/srgb.h"
+#include "core/math/functions.h"
+
+namespace etak {
+
+BlockBudget parse_block_budget(const std::string& text) {
+  const auto fail = [&](std::string_view part) {
+    throw Error::at(
+        setting("block-error"), in_quotes(part),
+        "a number above 0, or some of diffuse, f0, gloss and alpha, each once, as diffuse=1,gloss=10");
+  };
+  BlockBudget out;
+  double factor = 1;
+  if (parse_number(text, factor)) {
+    if (factor <= 0) fail(text);
+    return {factor * out.diffuse, factor * out.f0, factor * out.gloss, factor * out.alpha};
+  }
+  const std::pair<std::string_view, double*> parts[]{
+      {"diffuse", &out.diffuse}, {"f0", &out.f0}, {"gloss", &out.gloss}, {"alpha", &out.alpha}};
+  std::vector<std::string> seen;
+  if (text.empty() || text.back() == ',') fail(text);
+  for (const std::string& each : parts_of(text, ',')) {
+    const std::size_t at = each.find('=');
+    const std::string name = each.substr(0, at);
+    const auto* const part = std::ranges::find(parts, name, &std::pair<std::string_view, double*>::first);
+    if (at == each.npos || part == std::end(parts) || std::ranges::find(seen, name) != seen.end()) fail(each);
+    if (!parse_number(std::string_view(each).substr(at + 1), *part->second) || *part->second <= 0) fail(each);
+    seen.push_back(name);
+  }
+  return out;
+}
+
+CompressOptions compress_word(std::string_view word) {
+  CompressOptions out;
+  if (word == "none") return out;
+  out.falls_back = word == "auto" || word == "astc";
+  std::string name = "BC7";
+  if (word == "astc") name = "ASTC 4x4";
+  if (word.starts_with("astc:")) name = "ASTC " + std::string(word.substr(5));
+  out.format = block_format_named(name);
+  return out;
+}
+
+void Spread::add(double difference) {
+  // Differences beyond the last bin are told as the largest.
+  const auto bin =
+      static_cast<std::size_t>(std::min(static_cast<double>(bin_count - 1), std::ceil(difference / unit_)));
+  ++bins_[bin];
+  ++count_;
+  largest_ = std::max(largest_, difference);
+}
+
+void Spread::add(const Spread& other) {
+  for (std::size_t b = 0; b < bins_.size(); ++b) bins_[b] += other.bins_[b];
+  count_ += other.count_;
+  largest_ = std::max(largest_, other.largest_);
+}
+
+double Spread::percentile_99() const {
+  std::uint64_t left = count_ - count_ / 100;
+  for (std::size_t b = 0; b + 1 < bins_.size(); ++b) {
+    if (bins_[b] >= left) return std::min(largest_, static_cast<double>(b) * unit_);
+    left -= bins_[b];
+  }
+  return largest_;
+}
+
+std::uint64_t Spread::above(double difference) const {
+  const auto first =
+      std::min(static_cast<std::ptrdiff_t>(std::lround(difference / unit_)) + 1, std::ssize(bins_));
+  return std::accumulate(bins_.begin() + first, bins_.end(), std::uint64_t{0});
+}
+
+BlockMeasure::BlockMeasure(Texture texture, GlossForm gloss, const BlockBudget& budget)
+    : is_gloss_(texture == Texture::specular_gloss),
+      colour_budget_(is_gloss_ ? budget.f0 : budget.diffuse),
+      fourth_budget_(is_gloss_ ? budget.gloss : budget.alpha) {
+  for (std::size_t code = 0; code < 256; ++code) {
+    const double value = static_cast<double>(code) / 255;
+    linear_[code] = srgb_decode(value);
+    // The exponent of a roughness of 0 is infinite, and that of 1 is 0: the ends of what gloss can tell take their place.
+    const double roughness = gloss == GlossForm::roughness ? value : 1 - value;
+    exponent_log2_[code] =
+        12 * (gloss == GlossForm::schueler ? value : std::clamp(gloss_of_roughness(roughness), -1.0, 2.0));
+  }
+}
+
+double BlockMeasure::colour(const std::array<std::uint8_t, 4>& from,
+                            const std::array<std::uint8_t, 4>& to) const {
+  if (std::equal(from.begin(), from.begin() + 3, to.begin())) return 0;
+  const auto lab = [&](const std::array<std::uint8_t, 4>& code) {
+    return to_lab(LinearRgb{linear_[code[0]], linear_[code[1]], linear_[code[2]]});
+  };
+  return delta_e2000(lab(from), lab(to));
+}
+
+double BlockMeasure::fourth(std::uint8_t from, std::uint8_t to, int cutoff) const {
+  if (is_gloss_) return 100 * (math::exp2(std::abs(exponent_log2_[from] - exponent_log2_[to])) - 1);
+  if (cutoff >= 0) return (from >= cutoff) == (to >= cutoff) ? 0 : 100;
+  return std::abs(from - to) / 2.55;
+}
+
+ChannelWeights BlockMeasure::weights(const AnyBlock& block) const {
+  std::array<int, 4> sum{};
+  int count = 0;
+  for (std::size_t i = 0; i < block.texels.size(); ++i) {
+    if ((block.counting >> i & 1) == 0) continue;
+    ++count;
+    for (std::size_t c = 0; c < 4; ++c) sum[c] += block.texels[i][c];
+  }
+  std::array<std::uint8_t, 4> mean{};
+  for (std::size_t c = 0; c < 4 && count > 0; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / count);
+  // What a code changes is looked up around the mean.
+  constexpr double alpha_percent = 1 / 2.55, least_delta_e = 0.05, most_gloss_percent = 30;
+  constexpr int step = 8;
+  ChannelWeights out{};
+  const auto squared = [](double x) { return static_cast<float>(x * x); };
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::array<std::uint8_t, 4> beside = mean;
+    beside[c] = static_cast<std::uint8_t>(mean[c] < 128 ? mean[c] + step : mean[c] - step);
+    out[c] = squared(std::max(least_delta_e, colour(mean, beside) / step) / colour_budget_);
+  }
+  const auto next = static_cast<std::uint8_t>(mean[3] < 255 ? mean[3] + 1 : 254);
+  out[3] = squared((is_gloss_ ? std::min(most_gloss_percent, fourth(mean[3], next, -1)) : alpha_percent) /
+                   fourth_budget_);
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/color/gloss.h"
+#include "core/image/blocks/astc_door.h"
+#include "core/image/material_pair.h"
+#include "core/pack/blocks/compress_options.h"
+
+namespace etak {
+
+/// Differences of many texels, counted: the same for any order in which they are added.
+class Spread {
+ public:
+  /// `unit` is the width of the bins, by which a percentile is exact.
+  explicit Spread(double unit) : unit_(unit), bins_(bin_count) {}
+  void add(double difference);
+  void add(const Spread& other);
+  std::uint64_t count() const { return count_; }
+  double largest() const { return largest_; }
+  /// The least difference, rounded up to a whole bin, that 99 % of the texels do not exceed.
+  double percentile_99() const;
+  /// How many texels have a difference above this one, a whole number of bins.
+  std::uint64_t above(double difference) const;
+
+ private:
+  static constexpr std::size_t bin_count = 2000;
+  double unit_, largest_ = 0;
+  std::uint64_t count_ = 0;
+  std::vector<std::uint32_t> bins_;
+};
+
+/// Measures differences of texels in units of shading, for one texture.
+class BlockMeasure {
+ public:
+  BlockMeasure(Texture texture, GlossForm gloss, const BlockBudget& budget);
+
+  /// Of the three colour channels: CIEDE2000.
+  double colour(const std::array<std::uint8_t, 4>& from, const std::array<std::uint8_t, 4>& to) const;
+  /// Of the fourth channel: percent of the exponent, or of coverage.
+  ///   cutoff   of a mask: the least code that is covered; below 0: no mask
+  double fourth(std::uint8_t from, std::uint8_t to, int cutoff) const;
+
+  double colour_budget() const { return colour_budget_; }
+  double fourth_budget() const { return fourth_budget_; }
+  /// Weights of a block's channels: the squares of how many budgets one code is, at the mean of its texels that count.
+  ChannelWeights weights(const AnyBlock& block) const;
+
+ private:
+  bool is_gloss_;
+  double colour_budget_, fourth_budget_;
+  std::array<double, 256> linear_{}, exponent_log2_{};
+};
+
+}  // namespace etak

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/pack/blocks/compress_page.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/atlas/texels/page_pixels.h"
+#include "core/base/parallel.h"
+#include "core/pack/blocks/block_codec.h"
+#include "core/pack/blocks/block_uses.h"
+#include "core/pack/blocks/budget.h"
+
+namespace etak {
+namespace {
+
+using Texel = std::array<std::uint8_t, 4>;
+
+// Differences of a material's texels.
+struct Spreads {
+  Spread colour, fourth;
+  explicit Spreads(const BlockMeasure& measure)
+      : colour(measure.colour_budget() / 100), fourth(measure.fourth_budget() / 100) {}
+};
+using ByMaterial = std::vector<std::optional<Spreads>>;
+
+// Compresses one level, and looks at what became of it.
+class LevelInBlocks {
+ public:
+  LevelInBlocks(const BlockJob& job, const BlockMeasure& measure, int level)
+      : job_(job),
+        measure_(measure),
+        codec_(*job.how.format, job.astc),
+        view_(job.pixels.view(job.texture, level)),
+        uses_(block_uses(job.decision, job.page, job.texture, level, job.how.format->block_width)),
+        bytes_(codec_.format().block_bytes * uses_.owner.size(), '\0'),
+        excess_(uses_.owner.size()) {}
+
+  // Compresses all blocks.
+  void encode(const BlockTry& how) {
+    timed([&] {
+      each_row([&](std::size_t row, unsigned) {
+        std::vector<AnyBlock> sources(across());
+        for (std::size_t x = 0; x < sources.size(); ++x) sources[x] = weighted(source(row * across() + x));
+        codec_.encode(std::move(sources), how, block(row * across()));
+      });
+    });
+  }
+
+  // What the blocks make of the texels, by material.
+  ByMaterial measure() {
+    std::vector<ByMaterial> by_worker(job_.threads, ByMaterial(job_.materials.size()));
+    each_row([&](std::size_t row, unsigned worker) {
+      const std::vector<Texel> decoded = codec_.decode(block(row * across()), across());
+      for (std::size_t x = 0; x < across(); ++x) {
+        const std::size_t b = row * across() + x;
+        excess_[b] = 0;
+        if (!uses_.owner[b]) continue;
+        std::optional<Spreads>& to = by_worker[worker][*uses_.owner[b]];
+        if (!to) to.emplace(measure_);
+        excess_[b] = compare(b, &decoded[codec_.texels() * x], &*to);
+      }
+    });
+    ByMaterial out = std::move(by_worker[0]);
+    for (std::size_t w = 1; w < by_worker.size(); ++w)
+      for (std::size_t m = 0; m < out.size(); ++m) {
+        if (!by_worker[w][m]) continue;
+        if (!out[m]) out[m].emplace(measure_);
+        out[m]->colour.add(by_worker[w][m]->colour);
+        out[m]->fourth.add(by_worker[w][m]->fourth);
+      }
+    return out;
+  }
+
+  // The blocks that miss the budget, of the materials that do.
+  std::vector<std::size_t> bad_blocks(const std::vector<bool>& misses) const {
+    std::vector<std::size_t> bad;
+    for (std::size_t b = 0; b < excess_.size(); ++b)
+      if (excess_[b] > 1 && uses_.owner[b] && misses[*uses_.owner[b]]) bad.push_back(b);
+    return bad;
+  }
+
+  // Whether a material would have twice the texels above its budget that it may have, whatever its blocks are tried
+  // with. Every sixteenth of the bad blocks tells; they stay as they are.
+  bool is_hopeless(const ByMaterial& spreads, const std::vector<bool>& misses,
+                   std::span<const BlockTry> tries) {
+    constexpr std::size_t one_of = 16, least_blocks = 4096;
+    std::vector<std::size_t> some = bad_blocks(misses);
+    if (some.size() < least_blocks) return false;
+    for (std::size_t i = 0; i * one_of < some.size(); ++i) some[i] = some[i * one_of];
+    some.resize((some.size() + one_of - 1) / one_of);
+    const std::string bytes = bytes_;
+    const std::vector<double> excess = excess_;
+    const ByMaterial before = measure(some);
+    for (const BlockTry& how : tries) escalate(some, how);
+    const ByMaterial after = measure(some);
+    bytes_ = bytes;
+    excess_ = excess;
+    const auto left = [](const Spread& all, const Spread& was, const Spread& is, double budget) {
+      const auto part = static_cast<double>(is.above(budget)) /
+                        static_cast<double>(std::max<std::uint64_t>(1, was.above(budget)));
+      return part * static_cast<double>(all.above(budget)) > 0.02 * static_cast<double>(all.count());
+    };
+    for (std::size_t m = 0; m < misses.size(); ++m)
+      if (misses[m] && after[m] &&
+          (left(spreads[m]->colour, before[m]->colour, after[m]->colour, measure_.colour_budget()) ||
+           left(spreads[m]->fourth, before[m]->fourth, after[m]->fourth, measure_.fourth_budget())))
+        return true;
+    return false;
+  }
+
+  // Tries blocks again; keeps what is nearer to the budget.
+  void escalate(const std::vector<std::size_t>& bad, const BlockTry& how) {
+    escalated_ = std::max(escalated_, bad.size());
+    timed([&] {
+      constexpr std::size_t chunk = 64;
+      parallel_chunks(bad.size(), job_.threads, chunk, [&](std::size_t begin, std::size_t end, unsigned) {
+        std::vector<AnyBlock> sources;
+        for (std::size_t i = begin; i < end; ++i) sources.push_back(weighted(source(bad[i])));
+        const std::size_t bytes = codec_.format().block_bytes;
+        std::vector<std::uint8_t> tried(bytes * sources.size());
+        codec_.encode(std::move(sources), how, tried.data());
+        const std::vector<Texel> decoded = codec_.decode(tried.data(), end - begin);
+        for (std::size_t i = begin; i < end; ++i) {
+          const double excess = compare(bad[i], &decoded[codec_.texels() * (i - begin)], nullptr);
+          if (excess >= excess_[bad[i]]) continue;
+          excess_[bad[i]] = excess;
+          std::copy_n(&tried[bytes * (i - begin)], bytes, block(bad[i]));
+        }
+      });
+    });
+  }
+
+  // What these blocks make of their texels, by material.
+  ByMaterial measure(const std::vector<std::size_t>& blocks) {
+    ByMaterial out(job_.materials.size());
+    for (const std::size_t b : blocks) {
+      std::optional<Spreads>& to = out[*uses_.owner[b]];
+      if (!to) to.emplace(measure_);
+      compare(b, codec_.decode(block(b), 1).data(), &*to);
+    }
+    return out;
+  }
+
+  bool is_mask(std::size_t material) const {
+    return job_.texture == Texture::diffuse_alpha && job_.materials[material].alpha_mode == AlphaMode::mask;
+  }
+  // A mask is kept exact.
+  bool met(std::size_t material, const Spreads& spreads) const {
+    return spreads.colour.percentile_99() <= measure_.colour_budget() &&
+           (is_mask(material) ? spreads.fourth.largest() == 0
+                              : spreads.fourth.percentile_99() <= measure_.fourth_budget());
+  }
+  std::string& bytes() { return bytes_; }
+  double seconds() const { return seconds_; }
+  std::size_t shared() const { return uses_.shared; }
+  std::size_t escalated() const { return escalated_; }
+  std::size_t count() const { return excess_.size(); }
+  std::size_t texels() const { return uses_.used.size(); }
+
+ private:
+  std::size_t across() const { return static_cast<std::size_t>(uses_.across); }
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a file
+  std::uint8_t* block(std::size_t b) {
+    return reinterpret_cast<std::uint8_t*>(&bytes_[codec_.format().block_bytes * b]);
+  }
+
+  template <class Work>
+  void timed(const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+  template <class Work>
+  void each_row(const Work& work) {
+    parallel_chunks(static_cast<std::size_t>(uses_.down), job_.threads, 1,
+                    [&](std::size_t begin, std::size_t end, unsigned worker) {
+                      for (std::size_t row = begin; row < end; ++row) work(row, worker);
+                    });
+  }
+
+  // A block's texels; beyond the edge of the level they repeat it and do not count.
+  AnyBlock source(std::size_t b) const {
+    const int side = codec_.format().block_width;
+    const int left = side * static_cast<int>(b % across()), top = side * static_cast<int>(b / across());
+    AnyBlock out;
+    for (int i = 0; i < side * side; ++i) {
+      const int x = left + i % side, y = top + i / side;
+      const int inside_x = std::min(x, view_.width - 1), inside_y = std::min(y, view_.height - 1);
+      std::copy_n(view_.at(inside_x, inside_y), 4, out.texels[static_cast<std::size_t>(i)].data());
+      const bool counts = x == inside_x && y == inside_y &&
+                          uses_.used[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
+                                     static_cast<std::size_t>(x)] != 0;
+      out.counting |= std::uint64_t{counts} << i;
+    }
+    return out;
+  }
+
+  // The same with the weights of its channels.
+  AnyBlock weighted(AnyBlock block) const {
+    block.weights = measure_.weights(block);
+    return block;
+  }
+
+  // The largest difference of a block that has an owner, in budgets.
+  //   texels   as the block has them
+  //   to       gets the differences; null: none
+  double compare(std::size_t b, const Texel* texels, Spreads* to) const {
+    const AnyBlock from = source(b);
+    const PackInput& material = job_.materials[*uses_.owner[b]];
+    const bool diffuse = job_.texture == Texture::diffuse_alpha;
+    const bool opaque = diffuse && material.alpha_mode == AlphaMode::opaque;
+    const int cutoff =
+        is_mask(*uses_.owner[b]) ? static_cast<int>(std::ceil(255 * material.alpha_cutoff)) : -1;
+    double out = 0;
+    for (std::size_t i = 0; i < codec_.texels(); ++i) {
+      if ((from.counting >> i & 1) == 0) continue;
+      // Nothing shows the colour of a texel that lets all light through.
+      const bool unseen = diffuse && !opaque && from.texels[i][3] == 0;
+      const double colour = unseen ? 0 : measure_.colour(from.texels[i], texels[i]);
+      const double fourth = opaque ? 0 : measure_.fourth(from.texels[i][3], texels[i][3], cutoff);
+      out = std::max({out, colour / measure_.colour_budget(), fourth / measure_.fourth_budget()});
+      if (to == nullptr) continue;
+      to->colour.add(colour);
+      to->fourth.add(fourth);
+    }
+    return out;
+  }
+
+  const BlockJob& job_;
+  const BlockMeasure& measure_;
+  BlockCodec codec_;
+  ConstPixelsView8 view_;
+  BlockUses uses_;
+  std::string bytes_;
+  std::vector<double> excess_;  // by block: its largest difference in budgets
+  double seconds_ = 0;
+  std::size_t escalated_ = 0;
+};
+
+// What blocks are tried with in turn: more effort, then more weight on one side.
+std::vector<BlockTry> tries_of(const CompressOptions& how) {
+  std::vector<BlockTry> out;
+  for (int effort = how.effort; effort <= most_block_effort; ++effort) out.push_back({effort});
+  for (const float fourth : {4.0f, 16.0f, 0.25f})
+    out.push_back({std::min(most_block_effort, how.effort + 1), {1, 1, 1, fourth}});
+  return out;
+}
+
+std::vector<bool> missing(const LevelInBlocks& level, const ByMaterial& spreads) {
+  std::vector<bool> out(spreads.size());
+  for (std::size_t m = 0; m < spreads.size(); ++m) out[m] = spreads[m] && !level.met(m, *spreads[m]);
+  return out;
+}
+
+// Compresses a level and takes its bytes.
+BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int number, std::string& bytes) {
+  LevelInBlocks level(job, measure, number);
+  const std::vector<BlockTry> tries = tries_of(job.how);
+  level.encode(tries[0]);
+  ByMaterial spreads = level.measure();
+  for (std::size_t t = 1; t < tries.size(); ++t) {
+    const std::vector<bool> misses = missing(level, spreads);
+    if (std::ranges::find(misses, true) == misses.end()) break;
+    if (t == 1 && job.how.falls_back && level.is_hopeless(spreads, misses, std::span(tries).subspan(1)))
+      break;
+    level.escalate(level.bad_blocks(misses), tries[t]);
+    spreads = level.measure();
+  }
+  BlockLevel out;
+  out.page = job.page;
+  out.texture = job.texture;
+  out.level = number;
+  out.tried = out.format = job.how.format->name;
+  out.bytes = level.bytes().size();
+  out.texels = level.texels();
+  out.seconds = level.seconds();
+  out.blocks = level.count();
+  out.escalated = level.escalated();
+  out.shared = level.shared();
+  for (std::size_t m = 0; m < spreads.size(); ++m) {
+    if (!spreads[m]) continue;
+    const auto& [colour, fourth] = *spreads[m];
+    out.materials.push_back({job.materials[m].name, colour.percentile_99(), colour.largest(),
+                             fourth.percentile_99(), fourth.largest(), level.met(m, *spreads[m])});
+  }
+  bytes = std::move(level.bytes());
+  return out;
+}
+
+}  // namespace
+
+CompressedTexture compress_texture(const BlockJob& job) {
+  const BlockMeasure measure(job.texture, job.gloss, job.how.budget);
+  CompressedTexture out;
+  out.blocks.emplace();
+  out.blocks->format = job.how.format;
+  for (int l = 0; l < job.pixels.levels(); ++l) {
+    out.report.push_back(compressed(job, measure, l, out.blocks->levels.emplace_back()));
+    const bool met = std::ranges::all_of(out.report.back().materials, &BlockMaterial::met);
+    if (met || !job.how.falls_back) continue;
+    out.blocks.reset();
+    for (BlockLevel& level : out.report) {
+      level.format = "RGBA8";
+      level.bytes = 4 * level.texels;
+      level.fallback = true;
+    }
+    break;
+  }
+  return out;
+}
+
+}  // namespace etak
