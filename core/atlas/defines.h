@@ -18,6 +18,9 @@ namespace etak {
 ///   ETAK_ALPHA_TEST         texels are kept or dropped by alpha
 ///   ETAK_ALPHA_BLEND        texels are blended by alpha
 ///   ETAK_ALPHA_TEXTURE      alpha is fetched from its texture
+/// and beside these, where the texture of F0 and gloss is in BC4 or BC5 (AtlasPage::in_blocks):
+///   ETAK_GLOSS_IN_RED             gloss is the red channel
+///   ETAK_F0_GLOSS_IN_RED_GREEN    F0 is the red channel, sRGB-encoded, and gloss the green one
 std::vector<std::string> material_defines(const MaterialFate& fate, AlphaMode mode);
 
 }  // namespace etak

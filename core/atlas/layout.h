@@ -37,6 +37,11 @@ struct AtlasMaterialRow {
 struct AtlasPage {
   int width = 0, height = 0;
   std::array<std::vector<std::string>, 2> files;  // by Texture; one per format, then those of mips
+  // What red (and green) of specular_gloss hold in its KTX2 and DDS files, where these are in BC4 or BC5: "gloss", or "specular"
+  // (of a grey F0, sRGB-encoded, which such a format cannot say) and "gloss". Empty: F0 and gloss as in all other files.
+  std::vector<std::string> in_blocks = {};
+  /// The first file of specular_gloss holds those.
+  bool first_in_blocks() const;
   friend bool operator==(const AtlasPage&, const AtlasPage&) = default;
 };
 
@@ -63,6 +68,9 @@ std::string layout_json(const AtlasLayout& layout);
 
 /// A region of a layout that has so many pages. Throws Error with the JSON pointer.
 AtlasRect read_layout_rect(const JsonNode& node, std::size_t pages);
+
+/// AtlasPage::in_blocks of a page. Throws Error with the JSON pointer.
+std::vector<std::string> read_channels_in_blocks(const JsonNode& page);
 
 /// Throws Error with the JSON pointer.
 AtlasLayout parse_layout(std::string_view text, std::string_view file);

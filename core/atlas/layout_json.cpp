@@ -38,6 +38,7 @@ std::string page_json(const AtlasPage& page) {
       out += ", " + json(std::string(name(texture)) + "_more") + ": " +
              json_array_of(std::span(files).subspan(1));
   }
+  if (!page.in_blocks.empty()) out += ", \"specular_gloss_in_blocks\": " + json_array_of(page.in_blocks);
   return out + "}";
 }
 
@@ -118,6 +119,7 @@ AtlasPage read_page(const JsonNode& node) {
     if (files.empty()) node.at(more).fail_type("nothing where " + std::string(name(texture)) + " is null");
     for (std::string& each : node.at(more).each(read_file_name)) files.push_back(std::move(each));
   }
+  out.in_blocks = read_channels_in_blocks(node);
   return out;
 }
 
@@ -144,6 +146,20 @@ AtlasMaterialRow read_material_row(const JsonNode& node) {
 }
 
 }  // namespace
+
+bool AtlasPage::first_in_blocks() const {
+  const auto& all = files[static_cast<std::size_t>(Texture::specular_gloss)];
+  return !in_blocks.empty() && !all.empty() && (all[0].ends_with(".ktx2") || all[0].ends_with(".dds"));
+}
+
+std::vector<std::string> read_channels_in_blocks(const JsonNode& page) {
+  constexpr const char* key = "specular_gloss_in_blocks";
+  if (!page.has(key)) return {};
+  std::vector<std::string> out = page.at(key).texts();
+  if (out != std::vector<std::string>{"gloss"} && out != std::vector<std::string>{"specular", "gloss"})
+    page.at(key).fail_type("[\"gloss\"], or [\"specular\", \"gloss\"]");
+  return out;
+}
 
 AtlasRect read_layout_rect(const JsonNode& node, std::size_t pages) {
   node.expect_object();

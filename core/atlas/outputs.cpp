@@ -32,13 +32,14 @@ void write_container(OutputFolder& folder, const PageTexture& of, const std::str
   std::vector<TextureLevel> levels = texture_levels(texels);
   for (std::size_t l = 0; blocks != nullptr && l < levels.size(); ++l) levels[l].bytes = blocks->levels[l];
   const BlockFormat* const code = blocks != nullptr ? blocks->format : nullptr;
+  const bool srgb = code == nullptr || code->vk_srgb != 0;
   const auto file = folder.open(page_file(of.page, texture, format));
   const FileSink sink{[&](std::string_view bytes) { file->add(bytes); },
                       [&](std::size_t at, std::string_view bytes) { file->patch(at, bytes); }};
   if (format == "ktx2")
-    write_ktx2(levels, code, true, options.zstd_level, sink);
+    write_ktx2(levels, code, srgb, options.zstd_level, sink);
   else
-    write_dds(levels, code, true, texture == Texture::specular_gloss, sink);
+    write_dds(levels, code, srgb, texture == Texture::specular_gloss, sink);
   file->close();
 }
 

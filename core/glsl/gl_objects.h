@@ -179,8 +179,8 @@ class FloatTexture : public Texture {
 // 8-bit codes in four channels; the colours are sRGB-encoded.
 class CodeTexture : public Texture {
  public:
-  CodeTexture(int unit, const Image8& rgba)
-      : Texture(unit, GL_SRGB8_ALPHA8,
+  CodeTexture(int unit, const Image8& rgba, bool srgb = true)
+      : Texture(unit, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8,
                 {rgba.width, rgba.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.values.data()}) {}
 };
 

@@ -190,7 +190,8 @@ Image GlRunner::render(const Scene& scene, const TextureUse& use, const Image8& 
   clear_to(scene.background);
   const GlslText text = glsl_text(linear, use);
   const Program& program = state_->use(text);
-  const CodeTexture a(0, diffuse_alpha), b(1, specular_gloss);
+  const CodeTexture a(0, diffuse_alpha),
+      b(1, specular_gloss, use.channels == TextureUse::Channels::rgb_alpha);
   program.set_sampler("diffuse_alpha", 0);
   program.set_sampler("specular_gloss", 1);
   State::draw(text.corners);

@@ -102,6 +102,10 @@ struct TextureUse {
   bool scalar_f0 = false;   // F0 is grey: it is one channel or one number
   bool no_diffuse = false;  // diffuse is black everywhere
   GlossForm gloss_form = GlossForm::schueler;
+  /// Which channels of the second texture hold F0 and gloss: RGB and alpha; or, of a format without sRGB, gloss alone in
+  /// red; or a grey F0 in red, sRGB-encoded, with gloss in green.
+  enum class Channels { rgb_alpha, gloss_alone, f0_gloss };
+  Channels channels = Channels::rgb_alpha;
   /// Where a part of the material lies on its page.
   ///   region    left, top, width and height as shares of the page; of no width and height: one point
   ///   rotated   a quarter turn: column c of the picture is row c on the page, and the picture's rows run from

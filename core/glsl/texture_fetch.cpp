@@ -18,6 +18,13 @@ struct FetchedTextures {
   bool blends() const { return use.alpha == TextureUse::Alpha::blend; }
   bool tests() const { return use.alpha == TextureUse::Alpha::test; }
   bool roughness() const { return use.gloss && use.gloss_form != GlossForm::schueler; }
+  // The format of the texture does not decode F0.
+  bool encoded() const { return use.specular && use.channels == TextureUse::Channels::f0_gloss; }
+  std::string gloss_channel() const {
+    return use.channels == TextureUse::Channels::rgb_alpha     ? ".a"
+           : use.channels == TextureUse::Channels::gloss_alone ? ".r"
+                                                               : ".g";
+  }
   // A mask whose alpha is one number shows all texels or none.
   bool one_mask() const { return tests() && !use.fetch_alpha; }
   bool all_hidden() const { return one_mask() && opacity < use.cutoff; }
@@ -54,6 +61,10 @@ void declare_textures(const FetchedTextures& of, TextureFetch& out) {
     add_line(out,
              "float gloss_of_roughness(float r) {\n  float r4 = max(r * r * r * r, 1e-8);\n"
              "  return clamp(log2(max(2.0 / r4 - 2.0, 1.0)) / 12.0, 0.0, 1.0);\n}");
+  if (of.encoded())
+    add_line(out,
+             "float f0_of_code(float code) {\n"
+             "  return code <= 0.04045 ? code / 12.92 : pow((code + 0.055) / 1.055, 2.4);\n}");
   const auto add_place = [&](const std::string& name, std::size_t part) {
     const auto share = [&](std::size_t i) { return static_cast<float>(use.places[part].region[i]); };
     add_uniform(out, name + "_corner", {share(0), share(1)});
@@ -89,8 +100,11 @@ void add_fetch(const FetchedTextures& of, TextureFetch& out) {
   }
   if (use.diffuse) line("  texel_diffuse = " + texel_of(of, 0) + ".rgb;");
   if (use.fetch_alpha) line("  texel_opacity = " + texel_of(of, 1) + ".a;");
-  const std::string f0 = texel_of(of, 2), gloss = texel_of(of, 3) + ".a";
-  if (use.specular) line("  texel_f0 = " + (use.scalar_f0 ? "vec3(" + f0 + ".r);" : f0 + ".rgb;"));
+  const std::string f0 = texel_of(of, 2), gloss = texel_of(of, 3) + of.gloss_channel();
+  if (use.specular)
+    line("  texel_f0 = " + (of.encoded()    ? "vec3(f0_of_code(" + f0 + ".r));"
+                            : use.scalar_f0 ? "vec3(" + f0 + ".r);"
+                                            : f0 + ".rgb;"));
   if (use.gloss)
     line("  texel_gloss = " +
          (!of.roughness()                          ? gloss
@@ -144,10 +158,14 @@ TextureUse texture_use(std::span<const std::string> defines) {
       out.alpha = TextureUse::Alpha::blend;
     else if (define == "ETAK_ALPHA_TEXTURE")
       out.fetch_alpha = true;
+    else if (define == "ETAK_GLOSS_IN_RED")
+      out.channels = TextureUse::Channels::gloss_alone;
+    else if (define == "ETAK_F0_GLOSS_IN_RED_GREEN")
+      out.channels = TextureUse::Channels::f0_gloss;
     else
       throw Error::at(
           printable(define), "is no define that etak pack lists",
-          "ETAK_DIFFUSE_TEXTURE, ETAK_SPECULAR_TEXTURE, ETAK_GLOSS_TEXTURE, ETAK_NO_DIFFUSE, ETAK_SCALAR_F0, ETAK_ALPHA_TEST, ETAK_ALPHA_BLEND or ETAK_ALPHA_TEXTURE");
+          "ETAK_DIFFUSE_TEXTURE, ETAK_SPECULAR_TEXTURE, ETAK_GLOSS_TEXTURE, ETAK_NO_DIFFUSE, ETAK_SCALAR_F0, ETAK_ALPHA_TEST, ETAK_ALPHA_BLEND, ETAK_ALPHA_TEXTURE, ETAK_GLOSS_IN_RED or ETAK_F0_GLOSS_IN_RED_GREEN");
   }
   return out;
 }

@@ -24,8 +24,8 @@ void members(To& to, const TargetFile& value) {
 
 template <class To>
 void members(To& to, const CheckTile& value) {
-  const auto& [name, material, surface_class, box, page, typical_gloss, gutter, mips, flat, island_of, layers,
-               own_around] = value;
+  const auto& [name, material, surface_class, box, page, typical_gloss, gutter, mips, flat, flat_f0,
+               island_of, layers, own_around] = value;
   to.member("name", name);
   to.member("material", material);
   to.member("surface_class", surface_class);
@@ -35,6 +35,7 @@ void members(To& to, const CheckTile& value) {
   to.member("gutter", gutter);
   to.member("mips", mips);
   to.member("flat", flat);
+  to.member("flat_f0", flat_f0);
   to.member("island_of", island_of);
   to.member("layers", layers);
   to.member("own_around", own_around);

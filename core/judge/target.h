@@ -26,7 +26,7 @@ struct TargetFile {
   std::string label;     // for reports: relative to the run's root
   bool guessed = false;  // the role comes from the file's name (ETK010)
   // What R, G, B and A hold, a letter for each (channel_word of names.h); empty: the usual channels of the
-  // role.
+  // role. Of F0 and gloss "g": gloss in red, and F0 a number of each tile; "fg": a grey F0 in red and gloss in green.
   std::string channels = {};
   GreenAxis green = GreenAxis::unsaid;            // of a normal map, by its name
   std::shared_ptr<const std::string> bytes = {};  // of the picture file, in the place of those at `path`
@@ -53,6 +53,8 @@ struct CheckTile {
   std::string island_of;  // material of an atlas whose texels may lie in several tiles; empty: no atlas
   std::string layers;     // of an F0 that layers on a base make: their text; empty: a bare surface
   int own_around = 0;     // width of the frame around the tile that holds texels of the tile's own picture
+  // The codes of an F0 that is constant over the tile, where its page holds gloss without it.
+  std::optional<std::array<std::uint8_t, 3>> flat_f0 = {};
   friend bool operator==(const CheckTile&, const CheckTile&) = default;
 };
 

@@ -14,6 +14,7 @@
 #include "core/base/files/read_places.h"
 #include "core/base/files/steady_file.h"
 #include "core/base/hash/content_hash.h"
+#include "core/pack/blocks/page_format.h"
 #include "core/pack/decision.h"
 #include "core/pack/earlier.h"
 #include "core/pack/identity.h"
@@ -235,6 +236,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
     check_unchanged(stamps);
   });
   result.blocks = made->blocks;
+  tell_channels(result.blocks, result.layout);
   if (made->folder) result.files = complete(options, source, earlier, *made, result);
   tell(source, decision, learned, made->scene, result);
   result.goal = options.output.goal;

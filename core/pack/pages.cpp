@@ -12,6 +12,7 @@
 #include "core/base/setting.h"
 #include "core/image/files/containers.h"
 #include "core/pack/blocks/compress_page.h"
+#include "core/pack/blocks/page_format.h"
 #include "core/pack/identity.h"
 #include "core/pack/pack.h"
 #include "core/pack/progress.h"
@@ -53,6 +54,21 @@ bool may_be_cut(const PackOptions& options, const PackSource& source) {
 // Textures that stay RGBA8 beside textures in blocks are at least compressed as files.
 constexpr int zstd_of_fallback = 3;
 
+// A texture in the format that fits what it holds, where that keeps to the budget, else in the format that was asked for.
+//   apart   parts of materials lie apart, and no page has those of fewer channels alone
+CompressedTexture blocks_of(const BlockJob& job, bool apart) {
+  const BlockFormat* fitting = job.how.fits && !apart && job.texture == Texture::specular_gloss
+                                   ? fitting_format(job.decision, job.page)
+                                   : nullptr;
+  if (fitting == nullptr) return compress_texture(job);
+  CompressOptions narrow = job.how;
+  narrow.format = fitting;
+  BlockJob first{job.decision, job.materials, job.page, job.texture, job.pixels,
+                 job.gloss,    narrow,        job.astc, job.threads};
+  CompressedTexture out = compress_texture(first);
+  return out.blocks ? std::move(out) : compress_texture(job);
+}
+
 void write_files(const WholePage& page, const PackOptions& options, const PackSource& source,
                  const PackStages& stages, MadePages& to) {
   for (const Texture texture : both_textures) {
@@ -62,9 +78,10 @@ void write_files(const WholePage& page, const PackOptions& options, const PackSo
       write_page(*to.folder, page.number, texture, page.pixels, page.options);
       continue;
     }
-    const CompressedTexture made = compress_texture(
+    const CompressedTexture made = blocks_of(
         {page.decision, source.inputs.materials, page.number, texture, page.pixels, source.inputs.gloss,
-         options.output.compress, options.input.pictures.door.astc, options.run.threads});
+         options.output.compress, options.input.pictures.door.astc, options.run.threads},
+        source.one_page != nullptr);
     to.blocks.insert(to.blocks.end(), made.report.begin(), made.report.end());
     WriteOptions write = page.options;
     if (!made.blocks && write.zstd_level == 0 && has_zstd()) write.zstd_level = zstd_of_fallback;

@@ -107,6 +107,32 @@ TEST_CASE("an opaque mask needs no alpha test, and a mask cuts what it hides") {
   for (int y = 30; y < 60; ++y) CHECK(int{srgb_u8(double{empty.at(48, y)[0]})} == background);
 }
 
+TEST_CASE(
+    "a texture of gloss alone, or of a grey F0 with gloss, draws the picture of the one with all channels") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  const std::array<int, 4> a{90, 60, 30, 255};
+  for (const bool gloss_alone : {true, false}) {
+    INFO((gloss_alone ? "gloss alone" : "F0 and gloss"));
+    Image8 four = texture({gloss_alone ? 56 : -1, 56, 56, -1}, 3), few(side, side, 4);
+    for (std::size_t i = 0; i < four.values.size(); i += 4) {
+      std::uint8_t* texel = &four.values[i];
+      texel[1] = texel[2] = texel[0];
+      few.values[i] = gloss_alone ? texel[3] : texel[0];
+      few.values[i + 1] = gloss_alone ? 0 : texel[3];
+    }
+    const Scene scene = scene_with("schueler-optimized-bounded", a, {56, 56, 56, -1});
+    const std::vector<std::string> defines =
+        gloss_alone ? std::vector<std::string>{"ETAK_SCALAR_F0", "ETAK_GLOSS_TEXTURE", "ETAK_GLOSS_IN_RED"}
+                    : std::vector<std::string>{"ETAK_SPECULAR_TEXTURE", "ETAK_SCALAR_F0",
+                                               "ETAK_GLOSS_TEXTURE", "ETAK_F0_GLOSS_IN_RED_GREEN"};
+    TextureUse all;
+    all.diffuse = false;
+    CHECK(most_codes(gl->render(scene, all, texture(a, 1), four),
+                     gl->render(scene, texture_use(defines), texture(a, 1), few)) <= 1);
+  }
+}
+
 TEST_CASE("alpha that blends is the same from a texture and from a uniform") {
   GlRunner* gl = gl_here();
   if (gl == nullptr) return;

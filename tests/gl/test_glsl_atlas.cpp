@@ -38,6 +38,9 @@ std::vector<std::vector<std::string>> all_defines() {
             for (const char* each : {diffuse, specular, gloss, alpha, fetched})
               if (*each != 0) set.emplace_back(each);
           }
+  out.push_back({"ETAK_SCALAR_F0", "ETAK_GLOSS_TEXTURE", "ETAK_GLOSS_IN_RED"});
+  out.push_back(
+      {"ETAK_SPECULAR_TEXTURE", "ETAK_SCALAR_F0", "ETAK_GLOSS_TEXTURE", "ETAK_F0_GLOSS_IN_RED_GREEN"});
   return out;
 }
 

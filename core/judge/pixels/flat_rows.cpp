@@ -6,6 +6,7 @@
 #include <cstring>
 #include <functional>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,17 +20,11 @@ namespace {
 constexpr int flat_side = 16;
 constexpr int most_flat_in_row = 64;
 
-class FlatRows : public RowSource {
+// Finds the tiles of each row, from the top.
+class RowsOfTiles : public RowSource {
  public:
-  FlatRows(const CheckTarget& target, std::size_t texture, int width, int height)
-      : RowSource({width, height, 4}), target_(target), texture_(texture) {
-    header_.format = "memory";
-    // Where alpha is 255 in every tile, the texture counts as one without alpha.
-    if (texture == 0)
-      header_.channels = std::ranges::all_of(target.manifest.tiles,
-                                             [](const CheckTile& tile) { return (*tile.flat[0])[3] == 255; })
-                             ? 3
-                             : 4;
+  RowsOfTiles(const CheckTarget& target, PictureHeader header)
+      : RowSource(std::move(header)), target_(target) {
     coming_.resize(target.manifest.tiles.size());
     std::iota(coming_.begin(), coming_.end(), std::size_t{0});
     std::ranges::stable_sort(coming_, std::ranges::greater{},
@@ -39,20 +34,25 @@ class FlatRows : public RowSource {
   void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
     const Manifest& manifest = target_.manifest;
     for (int i = 0; i < count; ++i, ++next_, rgba += stride) {
-      std::memset(rgba, 0, 4 * static_cast<std::size_t>(header_.width));
+      start_row(rgba, stride);
       find_tiles_of_row();
       for (const std::size_t at : here_) {
         const CheckTile& tile = manifest.tiles[at];
         const int gutter = tile.gutter.value_or(manifest.gutter);
         const PixelBox& box = tile.box;
+        const std::span<const std::uint8_t> codes = codes_of(tile);
         const int end = std::min(header_.width, box.x + box.width + gutter);
-        for (int x = std::max(0, box.x - gutter); x < end; ++x)
-          std::memcpy(rgba + 4 * x, tile.flat[texture_]->data(), 4);
+        for (int x = std::max(0, box.x - gutter); x < end; ++x) std::ranges::copy(codes, rgba + 4 * x);
       }
     }
   }
 
  private:
+  // What a row holds without its tiles.
+  virtual void start_row(std::uint8_t* rgba, std::size_t stride) = 0;
+  // The first channels of all texels of a tile.
+  virtual std::span<const std::uint8_t> codes_of(const CheckTile& tile) const = 0;
+
   // The first row that a tile covers, and the one behind the last.
   std::pair<int, int> rows_of(std::size_t at) const {
     const CheckTile& tile = target_.manifest.tiles[at];
@@ -70,14 +70,69 @@ class FlatRows : public RowSource {
   }
 
   const CheckTarget& target_;
-  const std::size_t texture_;
   std::vector<std::size_t> coming_;  // tiles that begin later, the next ones at the end
   // The tiles of the current row in the manifest's order: a later one covers an earlier one.
   std::vector<std::size_t> here_;
   int next_ = 0;
 };
 
+class FlatRows : public RowsOfTiles {
+ public:
+  FlatRows(const CheckTarget& target, std::size_t texture, int width, int height)
+      : RowsOfTiles(target, {width, height, 4}), texture_(texture) {
+    header_.format = "memory";
+    // Where alpha is 255 in every tile, the texture counts as one without alpha.
+    if (texture == 0)
+      header_.channels = std::ranges::all_of(target.manifest.tiles,
+                                             [](const CheckTile& tile) { return (*tile.flat[0])[3] == 255; })
+                             ? 3
+                             : 4;
+  }
+
+ private:
+  void start_row(std::uint8_t* rgba, std::size_t) override {
+    std::memset(rgba, 0, 4 * static_cast<std::size_t>(header_.width));
+  }
+  std::span<const std::uint8_t> codes_of(const CheckTile& tile) const override {
+    return *tile.flat[texture_];
+  }
+
+  const std::size_t texture_;
+};
+
+class SpreadRows : public RowsOfTiles {
+ public:
+  SpreadRows(const CheckTarget& target, std::size_t gloss, std::unique_ptr<RowSource> source)
+      : RowsOfTiles(target, source->header()), gloss_(gloss), source_(std::move(source)) {
+    header_.channels = 4;
+    header_.colour_space = "srgb";
+  }
+
+ private:
+  void start_row(std::uint8_t* rgba, std::size_t stride) override {
+    source_->read_rows(rgba, stride, 1);
+    for (int x = 0; x < header_.width; ++x, rgba += 4) {
+      rgba[3] = rgba[gloss_];
+      rgba[1] = rgba[2] = rgba[0] = gloss_ == 0 ? std::uint8_t{0} : rgba[0];
+    }
+  }
+  std::span<const std::uint8_t> codes_of(const CheckTile& tile) const override {
+    if (!tile.flat_f0) return {};
+    return *tile.flat_f0;
+  }
+
+  const std::size_t gloss_;  // the channel that holds it
+  const std::unique_ptr<RowSource> source_;
+};
+
 }  // namespace
+
+std::unique_ptr<RowSource> spread_rows(const CheckTarget& target, const TargetFile& file,
+                                       std::unique_ptr<RowSource> source) {
+  if (!source || file.role != FileRole::specular_gloss || (file.channels != "g" && file.channels != "fg"))
+    return source;
+  return std::make_unique<SpreadRows>(target, file.channels.size() - 1, std::move(source));
+}
 
 std::unique_ptr<RowSource> flat_rows(const CheckTarget& target, std::size_t texture, int width, int height) {
   const auto& tiles = target.manifest.tiles;

@@ -15,6 +15,11 @@ namespace etak {
 /// Null when some tile has no codes for it.
 std::unique_ptr<RowSource> flat_rows(const CheckTarget& target, std::size_t texture, int width, int height);
 
+/// The rows of F0 and gloss of `source`, the decoded rows of `file`, where that has no more channels than its materials read
+/// (TargetFile::channels): F0 is what the tiles say where it is constant. Other sources come back as they are.
+std::unique_ptr<RowSource> spread_rows(const CheckTarget& target, const TargetFile& file,
+                                       std::unique_ptr<RowSource> source);
+
 /// Gives the tiles of materials that are on no page places of their own, in rows.
 void place_flat_tiles(Manifest& manifest);
 

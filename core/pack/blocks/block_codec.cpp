@@ -2,6 +2,8 @@
 #include "core/pack/blocks/block_codec.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/setting.h"
@@ -10,9 +12,14 @@
 namespace etak {
 namespace {
 
-BlockSource own_source(const AnyBlock& block) {
+BlockSource own_source(const AnyBlock& block, BlockCode code) {
   BlockSource out;
-  std::copy_n(block.texels.begin(), out.texels.size(), out.texels.begin());
+  for (std::size_t i = 0; i < out.texels.size(); ++i) {
+    const auto& [red, green, blue, gloss] = block.texels[i];
+    out.texels[i] = code == BlockCode::bc4   ? std::array<std::uint8_t, 4>{gloss, 0, 0, 0}
+                    : code == BlockCode::bc5 ? std::array<std::uint8_t, 4>{red, gloss, 0, 0}
+                                             : block.texels[i];
+  }
   for (std::size_t i = 0; i < out.shares.size(); ++i)
     out.shares[i] = static_cast<float>(block.counting >> i & 1);
   out.weights = block.weights;
@@ -24,7 +31,8 @@ BlockSource own_source(const AnyBlock& block) {
 void BlockCodec::encode(std::vector<AnyBlock> blocks, const BlockTry& how, std::uint8_t* bytes) const {
   if (format_.code != BlockCode::astc) {
     std::vector<BlockSource> sources(blocks.size());
-    std::ranges::transform(blocks, sources.begin(), own_source);
+    std::ranges::transform(blocks, sources.begin(),
+                           [&](const AnyBlock& block) { return own_source(block, format_.code); });
     encode_blocks(sources, {format_.code, how.weights, how.effort}, bytes);
     return;
   }
@@ -42,6 +50,10 @@ std::vector<std::array<std::uint8_t, 4>> BlockCodec::decode(const std::uint8_t* 
     for (std::size_t b = 0; b < count; ++b)
       std::ranges::copy(decode_block(format_.code, bytes + format_.block_bytes * b),
                         out.begin() + static_cast<std::ptrdiff_t>(texels() * b));
+    for (auto& [red, green, blue, gloss] : out) {
+      if (format_.code == BlockCode::bc4) gloss = red;
+      if (format_.code == BlockCode::bc5) gloss = std::exchange(green, red), blue = red;
+    }
     return out;
   }
   // A picture that is one block high, of which each column of blocks is one.

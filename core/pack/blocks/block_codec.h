@@ -18,7 +18,8 @@ struct BlockTry {
   ChannelWeights weights{1, 1, 1, 1};
 };
 
-/// Compresses and decodes blocks of one format, sRGB-encoded: BC7 by etak's own encoder, ASTC by the program's door.
+/// Compresses and decodes blocks of one format, sRGB-encoded: BC4, BC5 and BC7 by etak's own encoder, ASTC by the program's
+/// door. BC5 holds gloss and the red of F0, which is read as grey; BC4 holds gloss alone, and its F0 means nothing.
 /// Both throw Error where a format has no encoder. They may be called from any thread.
 class BlockCodec {
  public:

@@ -46,6 +46,7 @@ CompressOptions compress_word(std::string_view word) {
   CompressOptions out;
   if (word == "none") return out;
   out.falls_back = word == "auto" || word == "astc";
+  out.fits = word == "auto";
   std::string name = "BC7";
   if (word == "astc") name = "ASTC 4x4";
   if (word.starts_with("astc:")) name = "ASTC " + std::string(word.substr(5));

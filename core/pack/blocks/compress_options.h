@@ -27,15 +27,17 @@ BlockBudget parse_block_budget(const std::string& text);
 /// What becomes of the textures of KTX2 and DDS files.
 ///   format       BC7 or ASTC, of square blocks; null: they stay RGBA8
 ///   falls_back   textures of a page on which some material does not keep to the budget stay RGBA8 all the same
+///   fits         F0 and gloss are in BC4 or BC5 on pages on which that holds all that materials read (fitting_format())
 ///   effort       of the first try, as encode_blocks() and AstcEncoding have it
 struct CompressOptions {
   const BlockFormat* format = nullptr;
-  bool falls_back = false;
+  bool falls_back = false, fits = false;
   BlockBudget budget;
   int effort = 2;
 };
 
-/// The options of a word: none, bc7, astc:4x4, astc:5x5, astc:6x6 or astc:8x8; with a fallback auto (BC7) and astc (4x4).
+/// The options of a word: none, bc7, astc:4x4, astc:5x5, astc:6x6 or astc:8x8; with a fallback auto (BC7,
+/// and what fits) and astc (4x4).
 CompressOptions compress_word(std::string_view word);
 
 /// What compression does to the texels of a material on one level of a texture, in the units of BlockBudget. Materials

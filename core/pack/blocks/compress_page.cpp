@@ -13,6 +13,7 @@
 #include "core/pack/blocks/block_codec.h"
 #include "core/pack/blocks/block_uses.h"
 #include "core/pack/blocks/budget.h"
+#include "core/pack/blocks/page_format.h"
 
 namespace etak {
 namespace {
@@ -162,6 +163,9 @@ class LevelInBlocks {
   std::size_t texels() const { return uses_.used.size(); }
 
  private:
+  bool fits() const {
+    return codec_.format().code == BlockCode::bc4 || codec_.format().code == BlockCode::bc5;
+  }
   std::size_t across() const { return static_cast<std::size_t>(uses_.across); }
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a file
   std::uint8_t* block(std::size_t b) {
@@ -215,12 +219,14 @@ class LevelInBlocks {
     const bool opaque = diffuse && material.alpha_mode == AlphaMode::opaque;
     const int cutoff =
         is_mask(*uses_.owner[b]) ? static_cast<int>(std::ceil(255 * material.alpha_cutoff)) : -1;
+    // BC4 and BC5 go without an F0 that is one number of the material.
+    const bool f0_apart = fits() && has_constant_f0(job_.decision.left_out.fates[*uses_.owner[b]]);
     double out = 0;
     for (std::size_t i = 0; i < codec_.texels(); ++i) {
       if ((from.counting >> i & 1) == 0) continue;
       // Nothing shows the colour of a texel that lets all light through.
       const bool unseen = diffuse && !opaque && from.texels[i][3] == 0;
-      const double colour = unseen ? 0 : measure_.colour(from.texels[i], texels[i]);
+      const double colour = unseen || f0_apart ? 0 : measure_.colour(from.texels[i], texels[i]);
       const double fourth = opaque ? 0 : measure_.fourth(from.texels[i][3], texels[i][3], cutoff);
       out = std::max({out, colour / measure_.colour_budget(), fourth / measure_.fourth_budget()});
       if (to == nullptr) continue;
@@ -243,6 +249,8 @@ class LevelInBlocks {
 
 // What blocks are tried with in turn: more effort, then more weight on one side.
 std::vector<BlockTry> tries_of(const CompressOptions& how) {
+  // Channels of BC4 and BC5 are apart, and neither weights nor effort change them.
+  if (how.format->code == BlockCode::bc4 || how.format->code == BlockCode::bc5) return {{how.effort}};
   std::vector<BlockTry> out;
   for (int effort = how.effort; effort <= most_block_effort; ++effort) out.push_back({effort});
   for (const float fourth : {4.0f, 16.0f, 0.25f})

@@ -30,6 +30,7 @@ struct LayoutFacts {
   struct Page {
     std::vector<std::pair<FileRole, std::string>> files;
     bool one_texture = false;
+    std::string channels = {};  // TargetFile::channels of F0 and gloss
   };
   struct Place {
     std::string material;
@@ -109,6 +110,19 @@ std::optional<std::array<std::uint8_t, 4>> flat_codes(const AtlasMaterialRow& ro
   return out;
 }
 
+std::string channels_of(const AtlasPage& page) {
+  if (!page.first_in_blocks()) return {};
+  return page.in_blocks.size() == 1 ? "g" : "fg";
+}
+
+// The codes of a constant F0.
+std::optional<std::array<std::uint8_t, 3>> flat_f0(const AtlasMaterialRow& row) {
+  const auto& code = row.constant;
+  if (!code[specular_channel] || !code[specular_channel + 1] || !code[specular_channel + 2])
+    return std::nullopt;
+  return std::array{*code[specular_channel], *code[specular_channel + 1], *code[specular_channel + 2]};
+}
+
 LayoutFacts::Page read_page(const JsonNode& node) {
   node.expect_object();
   LayoutFacts::Page out;
@@ -120,6 +134,12 @@ LayoutFacts::Page read_page(const JsonNode& node) {
     else
       out.files.emplace_back(role, node.at(key).text());
   }
+  AtlasPage page;
+  page.in_blocks = read_channels_in_blocks(node);
+  for (const auto& [role, name] : out.files)
+    if (role == FileRole::specular_gloss)
+      page.files[static_cast<std::size_t>(Texture::specular_gloss)] = {name};
+  out.channels = channels_of(page);
   return out;
 }
 
@@ -163,6 +183,7 @@ LayoutFacts facts_of(const AtlasLayout& layout, const std::string& path) {
       else
         to.files.emplace_back(role, files.front());
     }
+    to.channels = channels_of(page);
   }
   out.common.specular_weighs_diffuse = layout.diffuse_reduced && !layout.pages.empty();
   out.materials = layout.materials;
@@ -243,7 +264,8 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
     target.manifest = facts.common;
     target.manifest.one_texture = page.one_texture;
     for (const auto& [role, name] : page.files)
-      target.files.push_back({role, beside(path, name), beside(label, name), false});
+      target.files.push_back({role, beside(path, name), beside(label, name), false,
+                              role == FileRole::specular_gloss ? page.channels : ""});
     target.label = target.files.empty() ? label + "#/pages/" + std::to_string(targets.size() - 1)
                                         : target.files.back().label;
   }
@@ -255,6 +277,7 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
   for (auto& [name, tile, rect] : facts.places) {
     const PixelBox& box = tile.box;
     CheckTarget& target = targets[static_cast<std::size_t>(tile.page)];
+    const std::string& page_channels = facts.pages[static_cast<std::size_t>(tile.page)].channels;
     target.manifest.layout_alone = target.manifest.layout_alone || !rect.holds_all();
     if (!rect.holds_all() && box.width == 1 && box.height == 1) continue;  // a number is no picture
     const auto row = by_name.find(name);
@@ -269,6 +292,7 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
     if (row != by_name.end())
       for (const Texture texture : both_textures)
         tile.flat[static_cast<std::size_t>(texture)] = flat_codes(*row->second, texture);
+    if (row != by_name.end() && !page_channels.empty()) tile.flat_f0 = flat_f0(*row->second);
     tiles.push_back(std::move(tile));
   }
   CheckTarget numbers = target_of_numbers(facts, label);

@@ -2,6 +2,7 @@
 #include "core/validate/files/load.h"
 
 #include "core/image/load.h"
+#include "core/judge/pixels/flat_rows.h"
 #include "core/validate/files/metal_rough.h"
 
 namespace etak {
@@ -19,6 +20,7 @@ Pictures load_pictures(const CheckTarget& target, const PictureDoor& door) {
     auto source = open_target_file(*file, door);
     if (source->header().floating)
       source = rows_of(codes = codes_of(load_picture(file->picture(), door), true));
+    source = spread_rows(target, *file, std::move(source));
     to = Image8(source->header().width, source->header().height, 4);
     source->read_rows(to.values.data(), 4 * static_cast<std::size_t>(to.width), to.height);
   };

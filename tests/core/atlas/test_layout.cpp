@@ -43,6 +43,16 @@ AtlasLayout layout() {
 
 }  // namespace
 
+TEST_CASE("a layout says which channels a texture in BC4 or BC5 holds") {
+  AtlasLayout with = layout();
+  with.pages[0].in_blocks = {"specular", "gloss"};
+  const std::string text = layout_json(with);
+  CHECK(parse_layout(text, "l") == with);
+  std::string bad = text;
+  bad.replace(bad.find("[\"specular\", \"gloss\"]"), 21, "[\"gloss\", \"gloss\"]");
+  CHECK(contains(error_of([&] { (void)parse_layout(bad, "l"); }), "/pages/0/specular_gloss_in_blocks"));
+}
+
 TEST_CASE("a layout reads back as it was written") {
   CHECK(parse_layout(layout_json(layout()), "l") == layout());
 }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/atlas/layout.h"
+#include "core/pack/blocks/compress_options.h"
+#include "core/pack/decision.h"
+
+namespace etak {
+
+/// What is left out of F0 and gloss by the materials of a page decides which blocks hold the rest.
+///   returns   BC4 (gloss alone) where F0 is constant in each of them, BC5 (F0 and gloss) where it is grey or constant,
+///             else null
+const BlockFormat* fitting_format(const PackDecision& decision, int page);
+
+/// Whether a material needs no texture for F0.
+bool has_constant_f0(const MaterialFate& fate);
+
+/// Puts into the layout which channels textures in BC4 and BC5 hold, and the defines for their shaders.
+void tell_channels(const std::vector<BlockLevel>& levels, AtlasLayout& layout);
+
+}  // namespace etak
