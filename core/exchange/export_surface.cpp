@@ -40,7 +40,7 @@ Xyz white_of(RgbSpace space) {
 // The measured total reflectance of a rough body, as its diffuse colour under a surface.
 void take_total(const LinearRgb& measured, ExportSurface& out) {
   Changes changes;
-  out.total = fitted(measured, Fit::clamp, 1, out.space, "total reflectance",
+  out.total = fitted(measured, {Fit::clamp, 1, out.space}, "total reflectance",
                      "light that is sent back is 0 to 1 of each channel", changes);
   for (const Change& change : changes) out.notes.push_back(one_line(change));
   const TotalReflectance parts = divided(*out.total);
@@ -218,21 +218,22 @@ void note_change(Changes& changes, std::string_view field, std::vector<double> w
   if (change.amount() > 1e-6) changes.push_back(std::move(change));
 }
 
-LinearRgb fitted(const LinearRgb& color, Fit fit, double most, RgbSpace space, std::string_view field,
+LinearRgb fitted(const LinearRgb& color, const ColorRange& range, std::string_view field,
                  std::string_view reason, Changes& changes) {
   Vec3 out = vec(color);
-  if (fit == Fit::preserve_hue) {
-    const double least = std::min({out[0], out[1], out[2]}), grey = luminance(color, space);
+  if (range.fit == Fit::preserve_hue) {
+    const double least = std::min({out[0], out[1], out[2]}), grey = luminance(color, range.space);
     if (least < 0 && grey > 0)
       for (double& channel : out) channel = grey + (channel - grey) * grey / (grey - least);
     const double largest = std::max({out[0], out[1], out[2]});
-    if (largest > most)
-      for (double& channel : out) channel *= most / largest;
+    if (largest > range.most)
+      for (double& channel : out) channel *= range.most / largest;
   }
   // All of Fit::clamp; for preserve_hue only rounding errors and colours without luminance are left.
-  for (double& channel : out) channel = std::clamp(channel, 0.0, most);
+  for (double& channel : out) channel = std::clamp(channel, 0.0, range.most);
   const Vec3 wanted = vec(color);
-  note_change(changes, field, {wanted.begin(), wanted.end()}, {out.begin(), out.end()}, name(fit), reason);
+  note_change(changes, field, {wanted.begin(), wanted.end()}, {out.begin(), out.end()}, name(range.fit),
+              reason);
   return to_rgb(out);
 }
 

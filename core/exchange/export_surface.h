@@ -132,8 +132,15 @@ using Changes = std::vector<Change>;
 /// "base_color 1.0428 0.7738 0.3347 -> 1 0.7738 0.3347 (clamp, 0.0428): reason"
 std::string one_line(const Change& change);
 
-/// `color` brought into [0, most]; a Change is added where that alters it.
-LinearRgb fitted(const LinearRgb& color, Fit fit, double most, RgbSpace space, std::string_view field,
+/// What a field for a colour holds: channels of [0, most] in `space`, and how others are brought there.
+struct ColorRange {
+  Fit fit = Fit::clamp;
+  double most = 1;
+  RgbSpace space = RgbSpace::srgb;
+};
+
+/// `color` brought into the range; a Change is added where that alters it.
+LinearRgb fitted(const LinearRgb& color, const ColorRange& range, std::string_view field,
                  std::string_view reason, Changes& changes);
 
 /// `value` clamped to [least, most], likewise.

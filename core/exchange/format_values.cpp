@@ -22,7 +22,7 @@ OpenPbrValues coated_open_pbr(const ExportSurface& s, Fit fit, Changes& changes)
   out.coat_weight = 1;
   out.coat_ior = s.coat->n;
   out.coat_darkening = s.diffuse == LinearRgb{} ? 0 : 1;
-  out.coat_color = fitted(s.coat->passes, fit, 1, s.space, "coat_color", "coat_color is 0 to 1", changes);
+  out.coat_color = fitted(s.coat->passes, {fit, 1, s.space}, "coat_color", "coat_color is 0 to 1", changes);
   return out;
 }
 
@@ -81,8 +81,8 @@ OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes)
   out.geometry_opacity = s.opacity;
   if (s.kind == SurfaceKind::metal) {
     out.base_metalness = 1;
-    out.base_color = fitted(s.f0, fit, 1, s.space, "base_color", "base_color ends at 1", changes);
-    out.specular_color = fitted(tint82(s, out.base_color), Fit::clamp, 1, s.space, "specular_color",
+    out.base_color = fitted(s.f0, {fit, 1, s.space}, "base_color", "base_color ends at 1", changes);
+    out.specular_color = fitted(tint82(s, out.base_color), {Fit::clamp, 1, s.space}, "specular_color",
                                 "the edge tint ends at 1", changes);
     return out;
   }
@@ -90,10 +90,10 @@ OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes)
   if (s.clear) {
     out.transmission_weight = 1;
     out.transmission_depth = s.clear->depth_m;
-    out.transmission_color = fitted(s.clear->color, fit, 1, s.space, "transmission_color",
+    out.transmission_color = fitted(s.clear->color, {fit, 1, s.space}, "transmission_color",
                                     "transmission_color is 0 to 1", changes);
   }
-  const LinearRgb f0 = fitted(s.f0, fit, largest_dielectric_f0, s.space, "F0",
+  const LinearRgb f0 = fitted(s.f0, {fit, largest_dielectric_f0, s.space}, "F0",
                               "the index of a dielectric has to be finite", changes);
   const double most = largest(f0), y = luminance(f0, s.space);
   // Errors averaged over a sphere seen from far away, where the mean of (1 - c)^5 is 1/21: the luminance
@@ -137,20 +137,20 @@ GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness,
   };
   if (s.kind == SurfaceKind::metal && !specular_glossiness) {
     out.metallic = 1;
-    out.base_color = fitted(s.f0, fit, 1, s.space, "baseColorFactor", "baseColorFactor ends at 1", changes);
+    out.base_color = fitted(s.f0, {fit, 1, s.space}, "baseColorFactor", "baseColorFactor ends at 1", changes);
     edge(out.base_color);
     return out;
   }
-  const LinearRgb f0 = specular_glossiness ? fitted(s.f0, fit, 1, s.space, "specularFactor",
+  const LinearRgb f0 = specular_glossiness ? fitted(s.f0, {fit, 1, s.space}, "specularFactor",
                                                     "specularFactor ends at 1", changes)
-                                           : fitted(s.f0, fit, largest_dielectric_f0, s.space, "F0",
+                                           : fitted(s.f0, {fit, largest_dielectric_f0, s.space}, "F0",
                                                     "the index of a dielectric has to be finite", changes);
   const double most = largest(f0);
   const char* const field = specular_glossiness ? "diffuseFactor" : "baseColorFactor";
   const LinearRgb body = most < 1 ? scaled(s.diffuse, 1 / (1 - most)) : LinearRgb{};
   if (most >= 1)
     note_change(changes, field, list(s.diffuse), {0, 0, 0}, "fixed", "an F0 of 1 leaves no light for it");
-  out.base_color = fitted(body, fit, 1, s.space, field,
+  out.base_color = fitted(body, {fit, 1, s.space}, field,
                           std::string(field) + " ends at 1; the largest F0 is taken off it", changes);
   if (s.clear && !specular_glossiness) {
     out.base_color = {1, 1, 1};
@@ -158,7 +158,7 @@ GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness,
     out.volume = *s.clear;
     if (s.clear->v_d) out.dispersion = 20 / *s.clear->v_d;
     out.volume->color =
-        fitted(s.clear->color, fit, 1, s.space, "attenuationColor", "attenuationColor is 0 to 1", changes);
+        fitted(s.clear->color, {fit, 1, s.space}, "attenuationColor", "attenuationColor is 0 to 1", changes);
   }
   if (specular_glossiness) {
     out.specular_color = f0;

@@ -64,7 +64,7 @@ class Texels {
       : pair_(pair), linear_(linear_tables().srgb) {
     Changes changes;
     if (!has(material, Channel::specular))
-      f0_ = vec(fitted(surface.f0, fit, largest_dielectric_f0, surface.space, "F0", "", changes));
+      f0_ = vec(fitted(surface.f0, {fit, largest_dielectric_f0, surface.space}, "F0", "", changes));
   }
   int width() const { return pair_.diffuse_alpha.width; }
   int height() const { return pair_.diffuse_alpha.height; }

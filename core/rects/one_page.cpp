@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -47,8 +48,10 @@ bool worth_climbing(const Set& set, int width, int height) {
 // more. Therefore a round with rotation starts from the layout that the search without rotation had at the
 // same effort, not from its last one, and the length of a round depends on nothing else.
 //   climbed   gets the layout that effort `climbed_at` ends with; null: not wanted
-void search_both(const Set& set, const Frame& frame, const Family& upright, const Family& turned,
-                 Budget& budget, Best& best, Best* climbed = nullptr) {
+//   families   of pages without rotation and with it
+void search_both(const Set& set, const Frame& frame, const std::array<Family, 2>& families, Budget& budget,
+                 Best& best, Best* climbed = nullptr) {
+  const auto& [upright, turned] = families;
   const std::vector<int> marks = levels(frame);
   std::vector<Best> seeds;
   if (upright.least <= upright.most) {
@@ -84,7 +87,7 @@ int Frame::side_texels(int length) const {
 }
 
 std::optional<Packed> pack_square(const Set& set, const Frame& frame, Budget& budget) {
-  Family families[2];
+  std::array<Family, 2> families;
   for (const bool rotate : {false, true}) {
     Family& family = families[rotate];
     family.most = frame.largest;
@@ -93,7 +96,7 @@ std::optional<Packed> pack_square(const Set& set, const Frame& frame, Budget& bu
     family.least = least_square(set, rotate);
   }
   Best best, climbed;
-  search_both(set, frame, families[0], families[1], budget, best, &climbed);
+  search_both(set, frame, families, budget, best, &climbed);
   if (!best.any) return std::nullopt;
   if (climbed.any && worth_climbing(set, side_of(families[0], climbed), side_of(families[0], climbed))) {
     Family& family = families[frame.rotate];
@@ -108,7 +111,7 @@ std::optional<Packed> pack_square(const Set& set, const Frame& frame, Budget& bu
 }
 
 std::optional<Packed> pack_strip(const Set& set, const Frame& frame, Budget& budget) {
-  Family families[2];
+  std::array<Family, 2> families;
   for (const bool rotate : {false, true}) {
     Family& family = families[rotate];
     family.width = frame.side;
@@ -117,7 +120,7 @@ std::optional<Packed> pack_strip(const Set& set, const Frame& frame, Budget& bud
     family.least = fits ? least_height(set, rotate, frame.side) : frame.largest + 1;
   }
   Best best;
-  search_both(set, frame, families[0], families[1], budget, best);
+  search_both(set, frame, families, budget, best);
   if (!best.any) return std::nullopt;
   return packed(best, {frame.side, best.height});
 }

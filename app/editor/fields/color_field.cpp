@@ -167,7 +167,7 @@ void ColorField::make_badge() {
                    tr("%1: %2").arg(name_, what));
     connect(out, &QToolButton::clicked, this, [this, fit] {
       Changes changes;
-      take(fitted(color_, fit, 1, RgbSpace::srgb, {}, {}, changes), next_press_id());
+      take(fitted(color_, {fit, 1, RgbSpace::srgb}, {}, {}, changes), next_press_id());
     });
   };
   way(tr("Clip"), tr("clip each channel to 0..1"), Fit::clamp);

@@ -12,12 +12,12 @@ void write_principled(const TargetJob& j) {
     const LinearRgb f0 = j.fit_f0("Base Color", "Base Color of a metal ends at 1");
     j.add("Base Color", f0, blender_text);
     j.add("Metallic", 1);
-    const LinearRgb tint = fitted(tint82(j.s, f0), Fit::clamp, 1, j.s.space, "Specular Tint",
+    const LinearRgb tint = fitted(tint82(j.s, f0), {Fit::clamp, 1, j.s.space}, "Specular Tint",
                                   "the edge tint ends at 1", j.out.changes);
     j.add("Specular Tint", tint, blender_text);
     j.shows_f82(f0, tint);
   } else {
-    const LinearRgb f0 = fitted(j.s.f0, j.fit, largest_dielectric_f0, j.s.space, "F0",
+    const LinearRgb f0 = fitted(j.s.f0, {j.fit, largest_dielectric_f0, j.s.space}, "F0",
                                 "the index of a dielectric has to be finite", j.out.changes);
     const double most = largest(f0);
     j.add("Base Color", j.clear() ? grey(1) : j.layered_body(), blender_text);
@@ -27,7 +27,7 @@ void write_principled(const TargetJob& j) {
     j.add("IOR Level", 0.5);
     const LinearRgb tint = reflected > 0 ? scaled(f0, 1 / reflected) : grey(1);
     const LinearRgb used =
-        fitted(tint, j.fit, 1, j.s.space, "Specular Tint", "Specular Tint ends at 1", j.out.changes);
+        fitted(tint, {j.fit, 1, j.s.space}, "Specular Tint", "Specular Tint ends at 1", j.out.changes);
     j.add("Specular Tint", used, blender_text);
     // The curve of the index from its F0 to 1, spread from the tinted F0 to 1.
     const double head_on = f64::f0(ior, 0);
@@ -59,7 +59,7 @@ void write_blender(const TargetJob& j) {
   j.add("Coat Roughness", 0);
   j.add("Coat IOR", coat.n);
   j.add("Coat Tint",
-        fitted(coat.passes, j.fit, 1, j.s.space, "Coat Tint", "Coat Tint is 0 to 1", j.out.changes),
+        fitted(coat.passes, {j.fit, 1, j.s.space}, "Coat Tint", "Coat Tint is 0 to 1", j.out.changes),
         blender_text);
 }
 
@@ -70,7 +70,7 @@ void write_metallic(const TargetJob& j) {
     return write_principled(j);
   }
   const LinearRgb f0 = j.fit_f0("Base Color", "Base Color of a metal ends at 1");
-  const LinearRgb tint = fitted(tint82(j.s, f0), Fit::clamp, 1, j.s.space, "Edge Tint",
+  const LinearRgb tint = fitted(tint82(j.s, f0), {Fit::clamp, 1, j.s.space}, "Edge Tint",
                                 "the edge tint ends at 1", j.out.changes);
   const RgbIndex index = rgb_index(j.s);
   j.shows_conductor(index.n, index.k);

@@ -38,7 +38,7 @@ double filament_in_air(double under) {
 void write_metal(const TargetJob& j, bool coated) {
   LinearRgb base = j.fit_f0("baseColor", "baseColor ends at 1");
   if (coated) {
-    base = fitted(base, j.fit, filament_under_coat(1), j.s.space, "baseColor",
+    base = fitted(base, {j.fit, filament_under_coat(1), j.s.space}, "baseColor",
                   "no F0 in air has more under Filament's coat", j.out.changes);
     j.add("baseColor", to_rgb({filament_in_air(base.r), filament_in_air(base.g), filament_in_air(base.b)}),
           plain_text);

@@ -17,7 +17,7 @@ void write_generalized_schlick_bsdf(const TargetJob& j) {
   } else {
     const LinearRgb f0 = j.fit_f0("color0", "color0 ends at 1");
     j.add("color0", f0, plain_text);
-    const LinearRgb tint = fitted(tint82(j.s, f0), Fit::clamp, 1, j.s.space, "color82",
+    const LinearRgb tint = fitted(tint82(j.s, f0), {Fit::clamp, 1, j.s.space}, "color82",
                                   "the edge tint ends at 1", j.out.changes);
     j.add("color82", tint, plain_text);
     j.shows_f82(f0, tint);

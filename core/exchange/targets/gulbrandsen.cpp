@@ -10,8 +10,8 @@ namespace etak {
 ArtisticIndex artistic_index(const TargetJob& j, const char* field) {
   constexpr double most_r = 0.99;
   ArtisticIndex out;
-  out.reflectivity =
-      fitted(j.s.f0, j.fit, most_r, j.s.space, field, "n and k are undefined at 1 and above", j.out.changes);
+  out.reflectivity = fitted(j.s.f0, {j.fit, most_r, j.s.space}, field, "n and k are undefined at 1 and above",
+                            j.out.changes);
   const Vec3 f0 = vec(out.reflectivity);
   Vec3 edge{}, n{}, k{};
   for (std::size_t c = 0; c < 3; ++c) {

@@ -7,7 +7,7 @@ namespace {
 
 void write_hex(const TargetJob& j) {
   const auto color = [&](const char* field, const LinearRgb& wanted) {
-    const LinearRgb c = fitted(wanted, j.fit, 1, j.s.space, field, "8 bits end at 1", j.out.changes);
+    const LinearRgb c = fitted(wanted, {j.fit, 1, j.s.space}, field, "8 bits end at 1", j.out.changes);
     const Srgb8 codes = srgb_u8(c);
     j.add(field, {double(codes.r), double(codes.g), double(codes.b)}, hex(codes));
   };

@@ -108,7 +108,7 @@ struct TargetJob {
   }
 
   LinearRgb fit_f0(const char* field, const char* reason) const {
-    return fitted(s.f0, fit, 1, s.space, field, reason, out.changes);
+    return fitted(s.f0, {fit, 1, s.space}, field, reason, out.changes);
   }
   // The Change of a known edge that the target's own curve replaces.
   void schlick_edge(const LinearRgb& f0_used) const {

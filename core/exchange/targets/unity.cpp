@@ -28,7 +28,7 @@ void write_unity_metallic(const TargetJob& j) {
     const LinearRgb body =
         j.s.total ? LinearRgb{j.s.total->r - dielectric, j.s.total->g - dielectric, j.s.total->b - dielectric}
                   : j.s.diffuse;
-    albedo = fitted(scaled(body, 1 / (1 - dielectric)), j.fit, 1, j.s.space, "Albedo",
+    albedo = fitted(scaled(body, 1 / (1 - dielectric)), {j.fit, 1, j.s.space}, "Albedo",
                     "Albedo is 0 to 1; 0.04 of the light is taken off it", j.out.changes);
   }
   j.add("Albedo", albedo, hex_text);
@@ -42,7 +42,7 @@ void write_unity_specular(const TargetJob& j) {
   const double left = 1 - largest(f0);
   LinearRgb albedo{0, 0, 0};
   if (!j.black_body() && left > 0) albedo = scaled(j.s.diffuse, 1 / left);
-  albedo = fitted(albedo, j.fit, 1, j.s.space, "Albedo",
+  albedo = fitted(albedo, {j.fit, 1, j.s.space}, "Albedo",
                   "Albedo ends at 1; the largest of Specular is taken off it", j.out.changes);
   j.add("Albedo", albedo, hex_text);
   j.add("Specular", f0, hex_text);

@@ -13,7 +13,7 @@ void write_hdrp(const TargetJob& j) {
     const double left = 1 - largest(f0);
     const LinearRgb body = left > 0 ? scaled(j.s.diffuse, 1 / left) : LinearRgb{};
     j.add("Base Color",
-          fitted(body, j.fit, 1, j.s.space, "Base Color",
+          fitted(body, {j.fit, 1, j.s.space}, "Base Color",
                  "Base Color ends at 1; the largest of Specular Color is taken off it", j.out.changes),
           hex_text);
     j.add("Specular Color", f0, hex_text);
