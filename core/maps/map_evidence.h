@@ -91,6 +91,7 @@ struct MapEvidence {
   FileRole role = FileRole::normal;
   std::string label;
   int width = 0, height = 0;
+  std::string blocks = {};              // the name of the format, of a texture in blocks (block_formats)
   GreenAxis green = GreenAxis::unsaid;  // what the name, or the format, says
   std::string said_by = {};             // "its name", "glTF 2.0"
   NormalFacts normals = {};

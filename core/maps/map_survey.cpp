@@ -321,6 +321,7 @@ class NormalSurvey {
 MapEvidence with_size(MapEvidence map, const PictureHeader& header, FileRole role) {
   map.role = role;
   map.width = header.width;
+  map.blocks = header.blocks;
   map.height = header.height;
   return map;
 }

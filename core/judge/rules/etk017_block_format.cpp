@@ -26,6 +26,9 @@ BlockFault fault_of(FileRole role, const std::string& format) {
     return {
         "keeps its colour channels on one line a block, of 5, 6 and 5 bits, where roughness is one of them",
         "BC7, ASTC 4x4, or BC4 for roughness alone"};
+  if (role == FileRole::normal && bc1)
+    return {"keeps x, y and z of 4 x 4 normals on one line of 5, 6 and 5 bits",
+            "BC5, whose z follows from x and y, BC7 or ASTC"};
   if (role == FileRole::f0_only && bc1)
     return {"keeps 5, 6 and 5 bits of F0, on one line a block", "BC7 or ASTC"};
   return {};
@@ -42,6 +45,17 @@ double gloss_deviation(const RuleCheck& check) {
   return count == 0 ? 0 : std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count)));
 }
 
+// Reports a fault of a picture or a map.
+template <class Judged>
+void tell(RuleCheck& check, const Judged& judged, const std::string& format, const BlockFault& fault) {
+  if (fault.loss.empty()) return;
+  Finding& finding = check.report(judged);
+  if (fault.lost) finding.severity = check.at_least(Severity::error);
+  finding.value = format;
+  finding.limit = fault.limit;
+  finding.message = std::string(name(judged.role)) + " in " + format + ", which " + fault.loss;
+}
+
 }  // namespace
 
 constinit const Rule etk017_block_format{
@@ -49,14 +63,14 @@ constinit const Rule etk017_block_format{
     .slug = "block-format",
     .title = "The blocks of a texture cannot hold what it is for",
     .severity = {Severity::warning, Severity::error},
-    .needs = {Need::header, Need::bytes_b},
+    .needs = {Need::header, Need::bytes_b, Need::maps},
     .parameters = {{"bits", 5, 5, "bits",
                     "a texel of F0 with gloss in ASTC has so many at least where gloss varies"},
                    {"deviation", 2, 2, "codes", "standard deviation of gloss from which on it varies"}},
     .source =
         "Khronos Data Format Specification 1.3, chapters 18 to 23; etak report, family l: at 3.6 bits a texel the exponent's error is three times that of 8",
     .what =
-        "A DDS or KTX2 file holds gloss in BC1 or BC2 (an error), roughness in the colours of BC1 to BC3, F0 in BC1, or F0 with a gloss that varies in ASTC of more than 25 texels a block.",
+        "A DDS or KTX2 file holds gloss in BC1 or BC2 (an error), roughness in the colours of BC1 to BC3, F0 or normals in BC1, or F0 with a gloss that varies in ASTC of more than 25 texels a block.",
     .why =
         "These formats share one line and a few bits among channels of a block. Colours bear it, the exponent does not: one code of gloss is 3.3 % of it.",
     .example = "An ORM texture compressed with the preset for colour (BC1).",
@@ -74,13 +88,10 @@ constinit const Rule etk017_block_format{
           fault = {"keeps " + number(bits, 2) + " bits a texel, where gloss varies by " +
                        number(deviation, 2) + " codes",
                    "ASTC 4x4 or 5x5"};
-        if (fault.loss.empty()) continue;
-        Finding& finding = check.report(picture);
-        if (fault.lost) finding.severity = check.at_least(Severity::error);
-        finding.value = format;
-        finding.limit = fault.limit;
-        finding.message = std::string(name(picture.role)) + " in " + format + ", which " + fault.loss;
+        tell(check, picture, format, fault);
       }
+      for (const MapEvidence& map : check.evidence.maps)
+        tell(check, map, map.blocks, fault_of(map.role, map.blocks));
     }};
 
 }  // namespace etak

@@ -45,7 +45,7 @@ TEST_CASE("the index of a dielectric and its F0 go back and forth") {
 
 TEST_CASE("clamp changes gold's red alone and tells it") {
   Changes changes;
-  const LinearRgb out = fitted(gold, Fit::clamp, 1, RgbSpace::srgb, "Base Color", "ends at 1", changes);
+  const LinearRgb out = fitted(gold, {Fit::clamp, 1, RgbSpace::srgb}, "Base Color", "ends at 1", changes);
   CHECK(out == LinearRgb{1, gold.g, gold.b});
   REQUIRE(changes.size() == 1);
   CHECK(changes[0].field == "Base Color");
@@ -57,7 +57,7 @@ TEST_CASE("clamp changes gold's red alone and tells it") {
 
 TEST_CASE("preserve-hue keeps the ratios of gold's channels") {
   Changes changes;
-  const LinearRgb out = fitted(gold, Fit::preserve_hue, 1, RgbSpace::srgb, "x", "y", changes);
+  const LinearRgb out = fitted(gold, {Fit::preserve_hue, 1, RgbSpace::srgb}, "x", "y", changes);
   CHECK(out.r == 1);
   CHECK(out.g / out.r == Approx(gold.g / gold.r).epsilon(1e-14));
   CHECK(out.b / out.r == Approx(gold.b / gold.r).epsilon(1e-14));
@@ -68,7 +68,7 @@ TEST_CASE("preserve-hue keeps the ratios of gold's channels") {
 TEST_CASE("preserve-hue takes a negative channel to 0 and keeps the luminance") {
   Changes changes;
   const LinearRgb in{0.5, 0.3, -0.05};
-  const LinearRgb out = fitted(in, Fit::preserve_hue, 1, RgbSpace::srgb, "x", "y", changes);
+  const LinearRgb out = fitted(in, {Fit::preserve_hue, 1, RgbSpace::srgb}, "x", "y", changes);
   CHECK(out.b == Approx(0).margin(1e-15));
   CHECK(luminance(out, RgbSpace::srgb) == Approx(luminance(in, RgbSpace::srgb)).epsilon(1e-12));
   // On the line between the colour and its grey: the order of the channels and the hue stay.
@@ -78,7 +78,7 @@ TEST_CASE("preserve-hue takes a negative channel to 0 and keeps the luminance") 
 TEST_CASE("a colour in range is not touched and not told") {
   for (const Fit fit : {Fit::clamp, Fit::preserve_hue}) {
     Changes changes;
-    CHECK(fitted({0, 0.5, 1}, fit, 1, RgbSpace::srgb, "x", "y", changes) == LinearRgb{0, 0.5, 1});
+    CHECK(fitted({0, 0.5, 1}, {fit, 1, RgbSpace::srgb}, "x", "y", changes) == LinearRgb{0, 0.5, 1});
     CHECK(changes.empty());
   }
 }

@@ -124,6 +124,8 @@ TEST_CASE("textures whose blocks cannot hold what they are for are told by their
                       {FileRole::diffuse_alpha, "ASTC 8x8", Severity::off},
                       {FileRole::diffuse_alpha, "BC1", Severity::off},
                       {FileRole::f0_only, "BC1", Severity::warning},
+                      {FileRole::normal, "BC1", Severity::warning},
+                      {FileRole::normal, "BC5", Severity::off},
                       {FileRole::metal_rough, "BC3", Severity::warning},
                       {FileRole::metal_rough, "BC7", Severity::off}};
   const TempFolder folder;
@@ -143,4 +145,29 @@ TEST_CASE("textures whose blocks cannot hold what they are for are told by their
     CHECK(find(file, "ETK005") == nullptr);  // that is for JPEG and WebP
     if (found != nullptr) CHECK(found->value == row.format);
   }
+}
+
+TEST_CASE("a block with texels of two materials is told, at the first level where there is one") {
+  const TempFolder folder;
+  const BlockFormat& format = *block_format_named("BC7");
+  spit(folder.file("x.dds"), dds_of(random_blocks(format, 48, 48, 3), "", format.dxgi));
+  // The second tile begins on a block of level 0, and in the middle of one of level 1.
+  CheckTarget target = single(FileRole::specular_gloss, folder.file("x.dds"), "x.dds");
+  for (const auto& [name, x, width] : {std::tuple("stone", 0, 20), std::tuple("iron", 20, 28)}) {
+    CheckTile tile;
+    tile.name = name;
+    tile.box = {x, 0, width, 48};
+    target.manifest.tiles.push_back(tile);
+  }
+  CHECK(find(checked(target), "ETK018") == nullptr);
+  target.manifest.mips = 1;
+  const CheckedFile shared = checked(target);
+  const Finding* found = find(shared, "ETK018");
+  REQUIRE(found != nullptr);
+  CHECK(found->tile == "stone");
+  CHECK(contains(found->message, "on level 1"));
+  CHECK(contains(found->message, "\"iron\""));
+  // Parts of one material may share a block.
+  for (CheckTile& tile : target.manifest.tiles) tile.island_of = "stone";
+  CHECK(find(checked(target), "ETK018") == nullptr);
 }
