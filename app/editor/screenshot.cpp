@@ -261,6 +261,11 @@ void show_state(Window& window, const QString& state) {
          window.use_library_material("pmma");
          window.pack_to(own_files().filePath(QStringLiteral("atlas-%1").arg(next_press_id())));
        }},
+      {"picture",
+       [&] {
+         for (QAction* each : window.findChildren<QAction*>())
+           if (each->text() == "Save pic&ture\u2026") each->trigger();
+       }},
       {"keys", [&] { (new ShortcutsDialog(window, &window))->show(); }},
       {"problem", [&] { window.open("a project that is gone.json"); }},
   };

@@ -9,6 +9,7 @@
 #include "app/document/files.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/pack_dialog.h"
+#include "app/editor/panels/picture_dialog.h"
 #include "app/editor/panels/problem_strip.h"
 #include "app/editor/window.h"
 #include "app/viewport/background.h"
@@ -166,11 +167,17 @@ void Window::save_material_as() {
 }
 
 void Window::save_picture() {
-  const QString file =
-      name_to_save(tr("Save the picture"), beside_project("picture.png"), tr("PNG (*.png)"), "png");
-  if (file.isEmpty()) return;
-  write_in_background(file, tr("The picture was not saved"),
-                      [file, picture = viewport_->grab_picture(true)] { return save_png(picture, file); });
+  const auto ask = [this] {
+    return name_to_save(tr("Save the picture"), beside_project("picture.png"), tr("PNG (*.png)"), "png");
+  };
+  auto* dialog = new PictureDialog(viewport_->saved_view(), ask, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PictureDialog::written, this, [this](const QStringList& files) {
+    tell(files.size() == 1
+             ? tr("Saved %1").arg(short_path(files.front()))
+             : tr("Saved %1 pictures, the first is %2").arg(files.size()).arg(short_path(files.front())));
+  });
+  dialog->open();
 }
 
 void Window::write_in_background(const QString& file, const QString& failed,

@@ -200,6 +200,11 @@ std::function<DifferencePicture()> Viewport::difference_work(int width) const {
   };
 }
 
+SavedView Viewport::saved_view() const {
+  return {d_->shown_state(), d_->display, d_->shows_photograph() ? d_->photograph : QImage(),
+          d_->picture_size()};
+}
+
 QImage Viewport::grab_picture(bool refined) {
   const QSize size = d_->picture_size();
   ViewState state = d_->shown_state();

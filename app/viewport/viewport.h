@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/viewport/saved_view.h"
 #include "core/render/sheet.h"
 #include "core/render/view_state.h"
 
@@ -55,6 +56,9 @@ class Viewport : public QWidget {
   /// the state cannot be drawn.
   ///   refined   as in struct Scene; else the picture that is shown while things move
   QImage grab_picture(bool refined = false);
+
+  /// What is shown, for pictures of other sizes.
+  SavedView saved_view() const;
 
   /// A photograph that stands in place of side b of a comparison, in sRGB; its middle is that of the view. Null: none.
   void set_photograph(const QImage& photograph);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/display.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -232,6 +233,31 @@ Image8 to_codes(const Image& picture, double exposure, Transfer transfer, Tone t
     const float* const from = &picture.values[channels * i];
     const std::array<float, 4> pixel{from[0], from[1], from[2], 1};
     to_codes(pixel, exposure, transfer, tone, &out.values[3 * i]);
+  }
+  return out;
+}
+
+Image cut_out(const std::function<Image(const Vec3& background)>& drawn, bool see_through) {
+  Image out = drawn({0, 0, 0});
+  if (!see_through) return out;
+  const Image over_white = drawn({1, 1, 1});
+  for (std::size_t i = 0; i < out.values.size(); i += 4)
+    out.values[i + 3] = std::clamp(1 - (over_white.values[i + 1] - out.values[i + 1]), 0.0f, 1.0f);
+  return out;
+}
+
+Image unmultiplied(Image picture) {
+  for (std::size_t i = 0; i < picture.values.size(); i += 4)
+    if (const float opacity = picture.values[i + 3]; opacity > 0)
+      for (std::size_t c = 0; c < 3; ++c) picture.values[i + c] /= opacity;
+  return picture;
+}
+
+Image8 with_opacity(const Image8& codes, const Image& picture) {
+  Image8 out(codes.width, codes.height, 4);
+  for (std::size_t i = 0; i < codes.pixel_count(); ++i) {
+    std::copy_n(&codes.values[3 * i], 3, &out.values[4 * i]);
+    out.values[4 * i + 3] = to_code(picture.values[4 * i + 3]);
   }
   return out;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -33,5 +34,18 @@ void to_codes(std::span<const float> pixels, double exposure, Transfer transfer,
 
 /// The first three channels of `picture`, multiplied by the exposure.
 Image exposed(const Image& picture, double exposure);
+
+/// A picture without what is behind its object: linear radiance multiplied by the opacity, which is the fourth channel.
+///   drawn         draws the object over an even background, with its coverage as fourth channel
+///   see_through   some of the background is seen through the object, too: it is drawn over black and over white, and what
+///                 differs is what goes through. Else it is drawn once
+Image cut_out(const std::function<Image(const Vec3& background)>& drawn, bool see_through);
+
+/// The picture of cut_out() as colours that are not multiplied by the opacity, as PNG files hold them.
+Image unmultiplied(Image picture);
+
+/// Codes with the fourth channel of `picture` as their fourth one, without a curve.
+///   codes   three channels, of the same size
+Image8 with_opacity(const Image8& codes, const Image& picture);
 
 }  // namespace etak

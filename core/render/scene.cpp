@@ -226,6 +226,10 @@ bool is_clear_ball(const Scene& scene) {
          scene.surface.passing.has_value() && scene.surface.opacity < 1;
 }
 
+bool is_seen_through(const Scene& scene) {
+  return scene.textured().values() || scene.surface.opacity < 1;
+}
+
 void validate(const Scene& scene, bool meshes_drawn) {
   if (scene.mesh != nullptr && !meshes_drawn)
     throw Error::at("scene", "a mesh", "a sphere or a quad, which alone the reference and GL draw");

@@ -257,6 +257,9 @@ std::vector<double> seen_specular_values(const Scene& scene);
 /// Whether the surface is a sphere of a clear body that is not opaque. In an environment it bends the view.
 bool is_clear_ball(const Scene& scene);
 
+/// Whether some of what is behind the object is seen through it, unbent.
+bool is_seen_through(const Scene& scene);
+
 /// Throws Error for scenes that cannot be drawn: sides outside of 1..16384 pixels, NaN, n <= 0, k < 0, lists
 /// of values that do not fit their models, no model at all, a light setup that validate() of
 /// core/light/lights.h refuses, and a mesh where none can be drawn.

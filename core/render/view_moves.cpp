@@ -111,6 +111,19 @@ View framed(const View& view) {
   return {view.turn_deg, view.rise_deg, 0, 0, 1};
 }
 
+View on_turntable(const View& view, int number, int count) {
+  View out = view;
+  out.turn_deg = one_turn(view.turn_deg + 360.0 * number / count);
+  return out;
+}
+
+std::string on_turntable(const std::string& path, int number, int count) {
+  const std::string digits = std::to_string(number + 1), most = std::to_string(count);
+  const std::size_t ending = path.rfind('.');
+  return path.substr(0, ending) + '_' + std::string(most.size() - digits.size(), '0') + digits +
+         path.substr(ending);
+}
+
 double turned_environment(double turn_deg, const ViewPlace& way) {
   return one_turn(turn_deg + quarter_turn_deg * way.x);
 }

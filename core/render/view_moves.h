@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/color/delta_e.h"
@@ -38,6 +39,14 @@ View zoomed(const View& view, double factor, const ViewPlace& fixed);
 
 /// The camera at the same direction, with the whole object in the middle of the picture.
 View framed(const View& view);
+
+/// The camera of picture `number` (from 0) of a turntable of `count` pictures: the camera goes once around the object.
+View on_turntable(const View& view, int number, int count);
+
+/// The name of that picture's file: a number behind the name, before its ending, with as many digits as the last one
+/// has.
+///   path   has an ending
+std::string on_turntable(const std::string& path, int number, int count);
 
 /// The turn of the environment, in degrees, after a drag that moves it with the mouse; a drag of one radius
 /// is a quarter turn.

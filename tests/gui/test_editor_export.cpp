@@ -5,11 +5,13 @@
 #include <QJsonObject>
 #include <QLineEdit>
 #include <QMenu>
+#include <QSpinBox>
 #include <QStatusBar>
 #include <QXmlStreamReader>
 
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"
+#include "app/editor/panels/picture_dialog.h"
 #include "app/editor/panels/project_panel.h"
 #include "core/exchange/engine_values.h"
 #include "core/scene/gltf.h"
@@ -60,7 +62,6 @@ class EditorExport : public QObject {
     QVERIFY(exported(QStringLiteral("glTF, binary"), QStringLiteral("gold.glb")).startsWith("glTF"));
     (void)shown_message(window);
     QVERIFY(exported(QStringLiteral("Save material as"), QStringLiteral("one.json")).contains("\"Gold\""));
-    QVERIFY(exported(QStringLiteral("Save picture"), QStringLiteral("one.png")).startsWith("\x89PNG"));
   }
 
   void every_form_of_a_value_is_copied() {
@@ -187,6 +188,86 @@ class EditorExport : public QObject {
     QCOMPARE(questions, 1);
     QVERIFY(window.settle());
     QCOMPARE(bytes_of(window.file(QStringLiteral("gold.glb"))), QByteArray("an older file"));
+  }
+
+  // Types as a user does: each field takes the keys when it has the focus.
+  static void type_picture(PictureDialog& dialog, const char* width, const char* height, bool transparent,
+                           const char* count) {
+    const auto type = [](QWidget* field, const char* text) {
+      field->setFocus(Qt::TabFocusReason);
+      QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+      QTest::keyClicks(field, QLatin1String(text));
+    };
+    type(named<QSpinBox>(dialog, QStringLiteral("Width of the picture")), width);
+    type(named<QSpinBox>(dialog, QStringLiteral("Height of the picture")), height);
+    if (transparent)
+      QTest::keyClick(named<QComboBox>(dialog, QStringLiteral("Background of the picture")), Qt::Key_Down);
+    type(named<QSpinBox>(dialog, QStringLiteral("Pictures of the turntable")), count);
+    QTest::keyClick(&dialog, Qt::Key_Return);
+  }
+
+  static PictureDialog* picture_dialog(TestWindow& window) {
+    show_active(window);
+    QTest::keyClick(window.window.get(), Qt::Key_S, Qt::ControlModifier | Qt::AltModifier);
+    (void)QTest::qWaitFor([&] { return window->findChild<PictureDialog*>() != nullptr; });
+    return window->findChild<PictureDialog*>();
+  }
+
+  void a_picture_of_any_size_is_saved_with_and_without_its_background() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    show_active(window);
+    QVERIFY(window.settle());
+    for (const bool transparent : {false, true}) {
+      const QString file = window.file(transparent ? QStringLiteral("cut.png") : QStringLiteral("whole.png"));
+      PictureDialog* dialog = picture_dialog(window);
+      QVERIFY(dialog != nullptr);
+      choose_file(file);
+      type_picture(*dialog, "300", "200", transparent, "1");
+      QVERIFY(QTest::qWaitFor([&] { return window->findChild<PictureDialog*>() == nullptr; }, 60000));
+      QVERIFY2(told(window).contains(QLatin1String("Saved")), qPrintable(told(window)));
+      const QImage picture(file);
+      QCOMPARE(picture.size(), QSize(300, 200));
+      QCOMPARE(picture.hasAlphaChannel(), transparent);
+      QCOMPARE(qAlpha(picture.pixel(2, 2)), transparent ? 0 : 255);
+      QCOMPARE(qAlpha(picture.pixel(150, 100)), 255);
+    }
+    // The gold itself is the same with and without what is behind it.
+    const QColor a = QImage(window.file(QStringLiteral("whole.png"))).pixelColor(150, 100),
+                 b = QImage(window.file(QStringLiteral("cut.png"))).pixelColor(150, 100);
+    QCOMPARE(a.rgb(), b.rgb());
+  }
+
+  void a_turntable_is_saved_whole_or_not_at_all() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("copper")));
+    show_active(window);
+    QVERIFY(window.settle());
+    PictureDialog* dialog = picture_dialog(window);
+    QVERIFY(dialog != nullptr);
+    choose_file(window.file(QStringLiteral("turn.png")));
+    type_picture(*dialog, "64", "64", false, "12");
+    QVERIFY(QTest::qWaitFor([&] { return window->findChild<PictureDialog*>() == nullptr; }, 60000));
+    const QStringList made = QDir(window.file(QString())).entryList({QStringLiteral("turn*")});
+    QCOMPARE(made.size(), 12);
+    QCOMPARE(made.front(), QStringLiteral("turn_01.png"));
+    QVERIFY(bytes_of(window.file(made[0])) != bytes_of(window.file(made[6])));
+    // A second one of that name takes no file's place.
+    dialog = picture_dialog(window);
+    QVERIFY(dialog != nullptr);
+    choose_file(window.file(QStringLiteral("turn.png")));
+    type_picture(*dialog, "64", "64", false, "12");
+    const auto* note = named<QLabel>(*dialog, QStringLiteral("What saving is at"));
+    QVERIFY(QTest::qWaitFor([&] { return note->text().contains(QLatin1String("is there already")); }, 10000));
+    // One that is cancelled leaves nothing.
+    choose_file(window.file(QStringLiteral("other.png")));
+    type_picture(*dialog, "1500", "1500", false, "40");
+    QVERIFY(QTest::qWaitFor([&] { return dialog->is_running(); }, 10000));
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QVERIFY(QTest::qWaitFor([&] { return !dialog->is_running(); }, 60000));
+    QVERIFY2(note->text().contains(QLatin1String("Cancelled")), qPrintable(note->text()));
+    QVERIFY(QDir(window.file(QString())).entryList({QStringLiteral("other*")}).isEmpty());
+    QTest::keyClick(dialog, Qt::Key_Escape);
   }
 
   void one_the_selected_or_all_materials_are_exported() {

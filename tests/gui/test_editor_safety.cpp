@@ -250,8 +250,8 @@ class EditorSafety : public QObject {
     QVERIFY(QDir(window.file(QString())).mkpath(QStringLiteral("work")));
     window->document().mark_saved(window.file(QStringLiteral("work/p.json")));
     const QString folder = QFileInfo(window.file(QStringLiteral("work"))).canonicalFilePath();
-    for (const char* name : {"Open", "Save as", "Save material as", "Save picture", "Import spectra",
-                             "Pack the atlas", "MaterialX"}) {
+    for (const char* name :
+         {"Open", "Save as", "Save material as", "Import spectra", "Pack the atlas", "MaterialX"}) {
       QString at;
       when_asked<QFileDialog>([&](QFileDialog& dialog) {
         at = dialog.directory().canonicalPath();

@@ -13,13 +13,14 @@
 #include "app/cli/output/replace.h"
 #include "app/cli/pictures/sheet.h"
 #include "core/base/error.h"
-#include "core/base/files/output_target.h"
+#include "core/base/files/file.h"
 #include "core/base/json/json_text.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/base/text/text.h"
 #include "core/color/ocio.h"
 #include "core/glsl/gl_runner.h"
+#include "core/image/files/png.h"
 #include "core/image/image_io.h"
 #include "core/image/mesh_codecs.h"
 #include "core/render/ambient/accuracy.h"
@@ -30,6 +31,7 @@
 #include "core/render/ground_bounce.h"
 #include "core/render/mesh_view.h"
 #include "core/render/reference.h"
+#include "core/render/view_moves.h"
 #include "core/scene/gltf.h"
 
 namespace etak::cli {
@@ -63,25 +65,31 @@ double ms_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-bool ends_with(const std::string& path, std::string_view ending) {
-  return path.ends_with(ending);
-}
-
-void write_picture(const RenderArguments& arguments, const Scene& scene, const Image& picture) {
-  const Image linear = exposed(picture, scene.exposure);
-  if (ends_with(arguments.picture, ".exr"))
-    return write_exr(arguments.picture, linear, !arguments.half, arguments.stats.force);
+Image8 codes_of(const RenderArguments& arguments, const Scene& scene, const Image& picture) {
   const bool by_ocio = !arguments.display.empty() || !arguments.view.empty() || !arguments.ocio.empty();
-  if (!by_ocio)
-    return write_png(arguments.picture, to_codes(picture, scene.exposure, scene.transfer, scene.tone),
-                     arguments.stats.force);
-  Image shown = linear;
+  if (!by_ocio) return to_codes(picture, scene.exposure, scene.transfer, scene.tone);
+  Image shown = exposed(picture, scene.exposure);
   OcioConfig::open(arguments.ocio)
       .display(arguments.display, arguments.view)
       .apply(shown.values.data(), shown.pixel_count());
   Image8 codes(shown.width, shown.height, 3);
   std::transform(shown.values.begin(), shown.values.end(), codes.values.begin(), to_code);
-  write_png(arguments.picture, codes, arguments.stats.force);
+  return codes;
+}
+
+void write_picture(const RenderArguments& arguments, const Scene& scene, Image picture,
+                   const std::string& file) {
+  const bool force = arguments.stats.force;
+  if (file.ends_with(".exr")) {
+    if (!arguments.transparent)
+      return write_exr(file, exposed(picture, scene.exposure), !arguments.half, force);
+    for (std::size_t i = 0; i < picture.values.size(); ++i)
+      if (i % 4 != 3) picture.values[i] *= static_cast<float>(scene.exposure);
+    return write_exr(file, picture, !arguments.half, force);
+  }
+  if (!arguments.transparent) return write_png(file, codes_of(arguments, scene, picture), force);
+  picture = unmultiplied(std::move(picture));
+  write_file(file, png_bytes(with_opacity(codes_of(arguments, scene, picture), picture), {}), force);
 }
 
 Image draw_reference(const RenderArguments& arguments, const Scene& scene, const Environment* environment,
@@ -265,43 +273,6 @@ void become_engine(const RenderArguments& arguments, const Environment* light, u
   notes.remarks.push_back(std::move(text));
 }
 
-void check_picture_name(const RenderArguments& arguments) {
-  const std::string& path = arguments.picture;
-  if (path.empty() && arguments.frames == 1)
-    throw Error::at("etak render", "no picture to write", "-o FILE.png or -o FILE.exr");
-  if (!path.empty() && !ends_with(path, ".png") && !ends_with(path, ".exr"))
-    throw Error::at(printable(path, 200), "has no ending that etak writes",
-                    ".png or .exr, of which other programs make what is wanted");
-  if (!path.empty()) check_file_target(path, arguments.stats.force);
-  if (!path.empty()) refuse_input(path);
-  if (arguments.part != "all" && !arguments.sheet)
-    throw Error::at("--part", "without --sheet", "--sheet, whose part it is");
-  for (const auto& [option, given] :
-       {std::pair("--sheet", arguments.sheet), std::pair("--sweep", !arguments.sweep.empty())})
-    if (given && arguments.stats.format == "json")
-      throw Error::at("--format", std::string("json with ") + option + ", which is no picture of one subject",
-                      "text");
-  for (const auto& [option, given] :
-       {std::pair("--model", !arguments.scene.model.empty()),
-        std::pair("--diffuse-model", !arguments.scene.diffuse_model.empty()),
-        std::pair("--set", !arguments.scene.set.empty()), std::pair("--reference", arguments.reference),
-        std::pair("--sheet", arguments.sheet)})
-    if (given && !arguments.as.empty())
-      throw Error::at("--as", std::string("beside ") + option + ", which chooses another model",
-                      "one of them");
-  if (!arguments.sweep.empty() && (arguments.sheet || arguments.frames > 1 || path.empty()))
-    throw Error::at("--sweep", "is a picture of several objects",
-                    "-o FILE, and neither --sheet nor --frames");
-  if (arguments.reference && arguments.device == "gl")
-    throw Error::at("--reference", "is not drawn with gl", "--device cpu");
-  for (const auto& [option, given] :
-       {std::pair("--reference", arguments.reference), std::pair("--device gl", arguments.device == "gl"),
-        std::pair("--sheet", arguments.sheet), std::pair("--quad", arguments.scene.quad)})
-    if (given && !arguments.mesh.empty())
-      throw Error::at("--mesh", std::string("beside ") + option + ", which draws spheres and quads alone",
-                      "one of them");
-}
-
 // The mesh of --mesh; null without that.
 std::shared_ptr<const Mesh> mesh_of(const RenderArguments& arguments) {
   const std::string& path = arguments.mesh;
@@ -340,9 +311,13 @@ Image draw_one(RenderArguments& arguments, unsigned threads, Scene& scene, Scene
   stats.prepare_ms = ms_since(begin);
   const Environment* light = shared.environment.get();
   become_engine(arguments, light, threads, scene, notes, stats);
-  return arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
-         : arguments.device == "gl" ? draw_gl(scene, light, arguments.frames, stats)
-                                    : draw_cpu(arguments, scene, light, threads, stats);
+  const auto drawn = [&](const Vec3& background) {
+    scene.background = background;
+    return arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
+           : arguments.device == "gl" ? draw_gl(scene, light, arguments.frames, stats)
+                                      : draw_cpu(arguments, scene, light, threads, stats);
+  };
+  return arguments.transparent ? cut_out(drawn, is_seen_through(scene)) : drawn(Vec3(scene.background));
 }
 
 int draw_within_memory(RenderArguments& arguments) {
@@ -350,7 +325,7 @@ int draw_within_memory(RenderArguments& arguments) {
   if (arguments.sheet) {
     Scene scene;
     const Image sheet = draw_sheet(arguments, threads, scene);
-    write_picture(arguments, scene, sheet);
+    write_picture(arguments, scene, sheet, arguments.picture);
     return exit_ok;
   }
   Stats stats;
@@ -375,15 +350,22 @@ int draw_within_memory(RenderArguments& arguments) {
       }
       return out;
     });
-    write_picture(arguments, scene, row);
+    write_picture(arguments, scene, row, arguments.picture);
     std::ranges::move(of_layers, std::back_inserter(notes.remarks));
     std::set<std::string> told;
     for (const std::string& each : notes.remarks)
       if (told.insert(each).second) remark(arguments.stats, each);
     return exit_ok;
   }
-  const Image picture = draw_one(arguments, threads, scene, notes, stats, shared);
-  if (!arguments.picture.empty()) write_picture(arguments, scene, picture);
+  const View first{.turn_deg = arguments.scene.orbit};
+  const std::vector<std::string> files = files_of(arguments);
+  for (int number = 0; number < arguments.turntable; ++number) {
+    const std::string& file = files[static_cast<std::size_t>(number)];
+    if (number > 0) arguments.scene.orbit = on_turntable(first, number, arguments.turntable).turn_deg;
+    SceneNotes again;  // what is said of each picture is said once
+    Image picture = draw_one(arguments, threads, scene, number == 0 ? notes : again, stats, shared);
+    if (!file.empty()) write_picture(arguments, scene, std::move(picture), file);
+  }
   say(arguments, scene, stats, notes, threads);
   return exit_ok;
 }

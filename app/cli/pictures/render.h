@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/cli/options/scene.h"
 #include "app/cli/output/output.h"
@@ -22,13 +23,19 @@ struct RenderArguments {
   std::string mesh;          // a glTF file
   std::string sweep;         // NAME=VALUES
   std::string part = "all";  // of the sheet: see draw_sheet()
-  bool reference = false, sheet = false, half = false;
-  int samples = 16, light_samples = 16, frames = 1;
+  bool reference = false, sheet = false, half = false, transparent = false;
+  int samples = 16, light_samples = 16, frames = 1, turntable = 1;
   unsigned threads = 0;
 };
 
 /// The light from all around of a scene: null, one of etak's studios, or a picture's. Throws Error.
 std::shared_ptr<const Environment> environment_of(const Scene& scene, unsigned threads);
+
+/// The file of the picture, or those of all pictures of a turntable.
+std::vector<std::string> files_of(const RenderArguments& arguments);
+
+/// Throws Error for files that cannot be written, and for options that do not stand beside each other.
+void check_picture_name(const RenderArguments& arguments);
 
 /// Does the work of the verb, in the module of pictures.h. Returns the exit status; throws Error.
 int draw(RenderArguments& arguments);

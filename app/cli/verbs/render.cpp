@@ -36,6 +36,14 @@ void add_render(CommandLine& line) {
           "--sweep", arguments->sweep,
           "a row of objects, one for each value of gloss, roughness, material, model, diffuse-model, orbit, tilt, a parameter of --set, or the number of a layer (1=0nm:400nm:9): NAME=FIRST:LAST:COUNT, or NAME=VALUE,VALUE,...")
       .value_name("NAME=VALUES");
+  verb.flag(
+      "--transparent", arguments->transparent,
+      "no background: the opacity becomes the fourth channel (.exr holds colours multiplied by it, .png does not)");
+  verb.option(
+          "--turntable", arguments->turntable,
+          "so many pictures, of a camera that goes once around the object from --orbit on; -o FILE.png becomes FILE_01.png and so on")
+      .range(1, 1000)
+      .show_default();
   verb.flag("--half", arguments->half, "16-bit values in .exr instead of 32-bit ones");
   verb.option("--device", arguments->device, "cpu, gl, or auto (cpu)")
       .one_of({"auto", "cpu", "gl"})

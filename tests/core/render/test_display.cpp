@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/display.h"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "core/color/srgb.h"
+#include "core/render/cpu_renderer.h"
 
 namespace etak {
 
@@ -146,6 +149,40 @@ TEST_CASE("transfers are found by their names") {
   for (const Transfer each : {Transfer::srgb, Transfer::power_045, Transfer::square_root, Transfer::linear})
     CHECK(transfer_named(name(each)) == each);
   CHECK_FALSE(transfer_named("gamma"));
+}
+
+TEST_CASE("a picture that was cut out, laid over any background, is the picture that is drawn over it") {
+  Scene scene;
+  scene.width = scene.height = 40;
+  scene.lights = default_lights();
+  scene.specular = find_model(default_specular);
+  for (const double opacity : {1.0, 0.3}) {
+    scene.surface.opacity = opacity;
+    const FittedModels fitted = fit_models(scene.specular, nullptr, {}, scene.surface);
+    scene.specular_values = fitted.specular_values;
+    const auto drawn = [&](const Vec3& background) {
+      scene.background = background;
+      Image out;
+      render_cpu(scene, nullptr, 1, Precision::f32, out);
+      return out;
+    };
+    CHECK(is_seen_through(scene) == (opacity < 1));
+    const Image cut = cut_out(drawn, is_seen_through(scene)), whole = drawn({0.2, 0.5, 0.7});
+    double worst = 0;
+    for (std::size_t i = 0; i < cut.values.size(); ++i)
+      if (i % 4 != 3) {
+        const double behind = std::array{0.2, 0.5, 0.7}[i % 4],
+                     through = 1 - double{cut.values[i / 4 * 4 + 3]};
+        worst = std::max(worst, std::abs(double{cut.values[i]} + through * behind - double{whole.values[i]}));
+      }
+    CHECK(worst < 1e-6);
+    CHECK(cut.at(0, 0)[3] == 0);
+    CHECK(cut.at(20, 20)[3] == (opacity < 1 ? Approx(0.3 + 0.7 * 0.05).margin(0.05) : Approx(1)));
+    const Image straight = unmultiplied(cut);
+    const Image8 codes = with_opacity(to_codes(straight, 1, Transfer::srgb), straight);
+    CHECK(codes.channels == 4);
+    CHECK(codes.at(0, 0)[3] == 0);
+  }
 }
 
 }  // namespace etak

@@ -321,4 +321,13 @@ TEST_CASE("views out of range are refused") {
   }
 }
 
+TEST_CASE("a turntable goes once around the object, and its files are numbered in order") {
+  const View first{.turn_deg = 170, .rise_deg = 20};
+  CHECK(on_turntable(first, 0, 36).turn_deg == 170);
+  CHECK(on_turntable(first, 1, 4).turn_deg == -100);
+  CHECK(on_turntable(first, 3, 4).rise_deg == 20);
+  CHECK(on_turntable("a.b/ball.png", 0, 120) == "a.b/ball_001.png");
+  CHECK(on_turntable("ball.png", 8, 9) == "ball_9.png");
+}
+
 }  // namespace etak
