@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numbers>
 
 #include "core/base/bytes/base64.h"
 #include "core/base/bytes/bytes_le.h"
@@ -11,6 +12,7 @@
 #include "core/base/json/json_text.h"
 #include "core/base/text/text.h"
 #include "core/exchange/engine_values.h"
+#include "core/math/functions.h"
 #include "core/math/sphere_mesh.h"
 
 namespace etak {
@@ -35,7 +37,8 @@ std::string line_object(std::initializer_list<JsonMember> members) {
   return json_object(members, -1);
 }
 
-Geometry geometry() {
+//   tangents   as the fourth attribute, along u: normal maps need them
+Geometry geometry(bool tangents) {
   const SphereMesh mesh = sphere_mesh(slices, stacks);
   Geometry out;
   std::size_t begin = 0;
@@ -74,6 +77,17 @@ Geometry geometry() {
                                 {"componentType", json(single_float)},
                                 {"count", json(mesh.points.size())},
                                 {"type", json("VEC2")}})};
+  if (!tangents) return out;
+  for (const auto& uv : mesh.uvs) {
+    const double turn = 2 * std::numbers::pi * double{uv[0]};
+    for (const double c : {-math::sin(turn), 0.0, -math::cos(turn), 1.0})
+      bytes_le::append_float(out.buffer, static_cast<float>(c));
+  }
+  end_view(vertices);
+  out.accessors.push_back(line_object({{"bufferView", "3"},
+                                       {"componentType", json(single_float)},
+                                       {"count", json(mesh.points.size())},
+                                       {"type", json("VEC4")}}));
   return out;
 }
 
@@ -125,8 +139,17 @@ class Pictures {
   std::string texture(const std::string& png, const std::string& name) {
     names_.push_back(name);
     files_.push_back(&png);
-    return line_object({{"index", json(files_.size() - 1)}});
+    std::vector<JsonMember> members{{"index", json(files_.size() - 1)}};
+    if (scale_ != std::array{1.0, 1.0}) {
+      transformed_ = true;
+      members.push_back({"extensions", line_object({{"KHR_texture_transform",
+                                                     line_object({{"scale", json_array_of(scale_)}})}})});
+    }
+    return json_object(members, -1);
   }
+  /// How often the pictures of the next material repeat.
+  void set_scale(const std::array<double, 2>& scale) { scale_ = scale; }
+  bool transformed() const { return transformed_; }  // whether any repeats
   bool empty() const { return files_.empty(); }
 
   /// Adds the bytes to the buffer, each picture as a view of it.
@@ -161,6 +184,8 @@ class Pictures {
   static constexpr std::size_t linear = 9729, linear_mipmap_linear = 9987, repeat = 10497;
   std::vector<std::string> names_, images_;
   std::vector<const std::string*> files_;
+  std::array<double, 2> scale_{1, 1};
+  bool transformed_ = false;
 };
 
 struct Used {
@@ -277,11 +302,11 @@ std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, 
 // ---- the file
 
 // The unit sphere of surface i.
-std::string mesh_of(const ExportSurface& s, std::size_t i) {
+std::string mesh_of(const ExportSurface& s, std::size_t i, bool tangents) {
+  std::vector<JsonMember> attributes{{"POSITION", "1"}, {"NORMAL", "1"}, {"TEXCOORD_0", "2"}};
+  if (tangents) attributes.push_back({"TANGENT", "3"});
   const std::string primitive =
-      line_object({{"attributes", line_object({{"POSITION", "1"}, {"NORMAL", "1"}, {"TEXCOORD_0", "2"}})},
-                   {"indices", "0"},
-                   {"material", json(i)}});
+      line_object({{"attributes", json_object(attributes, -1)}, {"indices", "0"}, {"material", json(i)}});
   return line_object({{"name", json(s.id)}, {"primitives", '[' + primitive + ']'}});
 }
 
@@ -310,6 +335,7 @@ std::vector<std::string> extensions_of(const Used& used) {
   if (used.specular) names.push_back("KHR_materials_specular");
   if (used.transmission) names.insert(names.end(), {"KHR_materials_transmission", "KHR_materials_volume"});
   if (used.glossiness) names.push_back("KHR_materials_pbrSpecularGlossiness");
+  if (used.pictures.transformed()) names.push_back("KHR_texture_transform");
   return names;
 }
 
@@ -349,13 +375,15 @@ std::string gltf_document(std::span<const ExportSurface> surfaces, GltfMaterialF
     if (s.space != RgbSpace::srgb)
       throw Error::at(s.id, "colours in " + std::string(name(s.space)), "linear sRGB");
     const GltfPictures& own = pictures.empty() ? no_pictures : pictures[i];
+    used.pictures.set_scale(own.scale);
     materials.push_back(material_of(s, form, fit, own, used, changes[i]));
-    meshes.push_back(mesh_of(s, i));
+    meshes.push_back(mesh_of(s, i, !own.normal.empty()));
     nodes.push_back(node_of(s, i));
     roots.push_back(i);
   }
 
-  Geometry sphere = geometry();
+  Geometry sphere =
+      geometry(std::ranges::any_of(pictures, [](const GltfPictures& each) { return !each.normal.empty(); }));
   used.pictures.append(sphere);
   std::vector<JsonMember> members{
       {"asset", line_object({{"version", json("2.0")}, {"generator", json("etak")}})}};

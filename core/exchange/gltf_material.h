@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,6 +43,7 @@ struct GltfPictures {
   std::string alpha_mode;
   double alpha_cutoff = 0.5;
   std::string emissive{}, occlusion{}, normal{};
+  std::array<double, 2> scale{1, 1};  // how often all of them repeat over u and v
   bool empty() const {
     return base_color.empty() && metallic_roughness.empty() && specular_color.empty() && emissive.empty() &&
            occlusion.empty() && normal.empty();

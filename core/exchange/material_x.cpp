@@ -2,6 +2,8 @@
 #include "core/exchange/material_x.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include "core/base/error.h"
@@ -56,23 +58,44 @@ class Node {
 // The image nodes of a surface, which stand before it, and the inputs of the surface that they give.
 class ImageNodes {
  public:
-  ImageNodes(std::string& out, std::set<std::string>& taken) : out_(out), taken_(taken) {}
+  ImageNodes(std::string& out, std::set<std::string>& taken, const std::array<double, 2>& scale)
+      : out_(out), taken_(taken), scale_(scale) {}
 
   /// Adds the node of one input, where it has a picture.
-  ///   type   "color3" of an sRGB picture, or "float"
+  ///   type   "color3" of an sRGB picture, "float", or "vector3" of a normal map
   void add(const std::string& surface, const char* input, const char* type, const std::string& file) {
     if (file.empty()) return;
-    const std::string name = node_name(surface + "_" + input, taken_);
-    append(out_, "  <image name=\"", name, "\" type=\"", type,
+    std::string name = node_name(surface + "_" + input, taken_);
+    const std::string_view node = scale_ == std::array{1.0, 1.0} ? "image" : "tiledimage";
+    append(out_, "  <", node, " name=\"", name, "\" type=\"", type,
            "\">\n    <input name=\"file\" type=\"filename\" value=\"", escape_html(file), "\"",
-           std::string_view(type) == "color3" ? " colorspace=\"srgb_texture\"" : "", " />\n  </image>\n");
+           std::string_view(type) == "color3" ? " colorspace=\"srgb_texture\"" : "", " />\n");
+    if (node != "image") {
+      pair("uvtiling", scale_[0], scale_[1]);
+      // v is 0 at the bottom there, and the pictures begin at the top.
+      if (const double rest = scale_[1] - std::floor(scale_[1]); rest > 0) pair("uvoffset", 0, rest);
+    }
+    append(out_, "  </", node, ">\n");
+    if (std::string_view(type) == "vector3") {
+      const std::string picture = std::move(name);
+      name = node_name(surface + "_" + input + "_space", taken_);
+      append(out_, "  <normalmap name=\"", name,
+             "\" type=\"vector3\">\n    <input name=\"in\" type=\"vector3\" nodename=\"", picture,
+             "\" />\n  </normalmap>\n");
+    }
     append(inputs_, "    <input name=\"", input, "\" type=\"", type, "\" nodename=\"", name, "\" />\n");
   }
   const std::string& inputs() const { return inputs_; }
 
  private:
+  void pair(std::string_view name, double u, double v) {
+    append(out_, "    <input name=\"", name, "\" type=\"vector2\" value=\"", number(u, xml_digits), ", ",
+           number(v, xml_digits), "\" />\n");
+  }
+
   std::string& out_;
   std::set<std::string>& taken_;
+  const std::array<double, 2> scale_;
   std::string inputs_;
 };
 
@@ -82,12 +105,13 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const Mat
   out += material_x_comment(s.title());
   for (const std::string& note : s.notes) out += material_x_comment(note);
   for (const Change& change : changes) out += material_x_comment(one_line(change));
-  ImageNodes images(out, taken);
+  ImageNodes images(out, taken, pictures.scale);
   images.add(name, "base_color", "color3", pictures.base_color);
   images.add(name, "base_metalness", "float", pictures.base_metalness);
   images.add(name, "specular_roughness", "float", pictures.specular_roughness);
   images.add(name, "geometry_opacity", "float", pictures.geometry_opacity);
   images.add(name, "emission_color", "color3", pictures.emission_color);
+  images.add(name, "geometry_normal", "vector3", pictures.geometry_normal);
   append(out, "  <open_pbr_surface name=\"", name,
          "_surface\" type=\"surfaceshader\" nodedef=\"ND_open_pbr_surface_surfaceshader\">\n",
          images.inputs());

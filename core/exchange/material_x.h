@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,8 +14,12 @@ namespace etak {
 /// holds.
 ///   base_color, emission_color                               sRGB
 ///   base_metalness, specular_roughness, geometry_opacity     one channel, linear
+///   geometry_normal                                          tangent space, green up
+///   scale   how often all of them repeat over u and v, from the top left corner on
 struct MaterialXPictures {
-  std::string base_color, base_metalness, specular_roughness, geometry_opacity, emission_color{};
+  std::string base_color, base_metalness, specular_roughness, geometry_opacity, emission_color{},
+      geometry_normal{};
+  std::array<double, 2> scale{1, 1};
 };
 
 /// An id as a name for documents: letters, digits and '_', no digit first.

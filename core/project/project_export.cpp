@@ -171,18 +171,24 @@ std::string occlusion_picture(const ProjectMaterial& m, const PictureDoor& door)
   return png_of(out, false);
 }
 
+// Green points up.
+std::string normal_map(const ProjectMaterial& m, const PictureDoor& door) {
+  const Image normals = normal_picture(m, door, max_image_side);
+  if (normals.width == 0) return {};
+  Image8 codes(normals.width, normals.height, 3);
+  for (int y = 0; y < codes.height; ++y)
+    for (int x = 0; x < codes.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) codes.at(x, y)[c] = to_code(0.5F * normals.at(x, y)[c] + 0.5F);
+  return png_of(codes, false);
+}
+
 GltfPictures gltf_pictures(const ProjectMaterial& m, const Texels& texels, const MaterialPair& pair,
                            const PictureDoor& door, ExportSurface& surface, Changes& changes) {
   GltfPictures out;
   out.emissive = emission_picture(m, door, {1, 1, 1}, surface);
   out.occlusion = occlusion_picture(m, door);
-  if (const Image normals = normal_picture(m, door, max_image_side); normals.width > 0) {
-    Image8 codes(normals.width, normals.height, 3);
-    for (int y = 0; y < codes.height; ++y)
-      for (int x = 0; x < codes.width; ++x)
-        for (std::size_t c = 0; c < 3; ++c) codes.at(x, y)[c] = to_code(0.5F * normals.at(x, y)[c] + 0.5F);
-    out.normal = png_of(codes, false);
-  }
+  out.normal = normal_map(m, door);
+  out.scale = m.uv_scale;
   const bool colored = has(m, Channel::diffuse) || (has(m, Channel::specular) && m.diffuse != LinearRgb{});
   if (colored || has_opacity(m)) {
     out.base_color = png_of(gltf_base(m, texels, pair, colored, changes), true);
@@ -238,7 +244,8 @@ MaterialXBytes material_x_pictures(const ProjectMaterial& m, const Texels& texel
     surface.emission = {strength, strength, strength};
     out.emission_color = emission_picture(m, door, color, surface);
   }
-  if (m.texture(Channel::normal)) surface.notes.emplace_back("its normal map is written into glTF alone");
+  out.geometry_normal = normal_map(m, door);
+  out.scale = m.uv_scale;
   if (m.texture(Channel::occlusion)) surface.notes.emplace_back("OpenPBR has no input for its occlusion");
   if (has(m, Channel::specular)) {
     take_metal_rough(texels, out, changes);
@@ -288,6 +295,7 @@ class PictureFolder {
     one(pictures.specular_roughness, "specular_roughness");
     one(pictures.geometry_opacity, "geometry_opacity");
     one(pictures.emission_color, "emission_color");
+    one(pictures.geometry_normal, "geometry_normal");
   }
 
  private:
@@ -338,8 +346,6 @@ std::vector<Changes> export_materials(std::span<const ProjectMaterial> materials
       beside.back() = material_x_pictures(m, texels, pair, door, surfaces.back(), of_pictures[i]);
     else
       inside.back() = gltf_pictures(m, texels, pair, door, surfaces.back(), of_pictures[i]);
-    if (m.uv_scale != ProjectMaterial{}.uv_scale)
-      surfaces.back().notes.emplace_back("its pictures repeat in the viewport alone");
     for (const Change& change : of_pictures[i]) surfaces.back().notes.push_back(one_line(change));
   }
   std::string document;

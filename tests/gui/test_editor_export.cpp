@@ -100,6 +100,10 @@ class EditorExport : public QObject {
     QVERIFY(window->use_library_material(QStringLiteral("pmma")));
     put_texture(window, Channel::diffuse, grey_picture(window, QStringLiteral("wood.png")));
     put_texture(window, Channel::gloss, grey_picture(window, QStringLiteral("wood_gloss.png")));
+    put_texture(window, Channel::normal, grey_picture(window, QStringLiteral("wood_normal.png")));
+    window->document().change_material(QStringLiteral("scale"), 0, [](ProjectMaterial& m) {
+      m.uv_scale = {3, 1.5};
+    });
     std::vector<std::string> files;
     for (const char* ending : {"gltf", "glb"}) {
       const QString file = window.file(QStringLiteral("wood.") + QLatin1String(ending));
@@ -108,7 +112,12 @@ class EditorExport : public QObject {
       (void)shown_message(window, 300);
       files.push_back(file.toStdString());
       const GltfScene scene = read_gltf(files.back(), {});
-      QCOMPARE(scene.images.size(), std::size_t{2});
+      QCOMPARE(scene.images.size(), std::size_t{3});
+      QVERIFY(scene.materials[0].normal_texture.has_value());
+      for (const auto& texture : {scene.materials[0].base_color_texture, scene.materials[0].normal_texture}) {
+        QCOMPARE(texture->transform.scale[0], 3.0);
+        QCOMPARE(texture->transform.scale[1], 1.5);
+      }
       QVERIFY(scene.materials[0].base_color_texture && scene.materials[0].metallic_roughness_texture);
       for (const PictureFile& each : scene.images) {
         const QImage image = QImage::fromData(QByteArray::fromStdString(each.bytes), "png");
@@ -124,6 +133,8 @@ class EditorExport : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(mtlx); }, 20000));
     (void)shown_message(window, 300);
     QXmlStreamReader xml(bytes_of(mtlx));
+    QVERIFY(bytes_of(mtlx).contains("<normalmap"));
+    QCOMPARE(bytes_of(mtlx).count("name=\"uvtiling\" type=\"vector2\" value=\"3, 1.5\""), 3);
     QStringList images;
     while (!xml.atEnd())
       if (xml.readNext() == QXmlStreamReader::StartElement &&
@@ -131,7 +142,8 @@ class EditorExport : public QObject {
         images << xml.attributes().value(QLatin1String("value")).toString();
     QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
     QCOMPARE(images, (QStringList{QStringLiteral("wood_base_color.png"),
-                                  QStringLiteral("wood_specular_roughness.png")}));
+                                  QStringLiteral("wood_specular_roughness.png"),
+                                  QStringLiteral("wood_geometry_normal.png")}));
     const QImage color(window.file(images[0]));
     QCOMPARE(color.pixelColor(3, 3), QColor(120, 130, 140));
   }

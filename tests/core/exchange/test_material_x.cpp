@@ -102,6 +102,26 @@ TEST_CASE("ACEScg and Display P3 are named, other spaces refused") {
   CHECK(contains(error_of([&] { (void)written_material_x({s}); }), "rec2020"));
 }
 
+TEST_CASE("pictures that repeat are tiled, and a normal map goes through the node of its space") {
+  std::vector<Changes> changes;
+  const std::vector<ExportSurface> surfaces{surface_named("wood")};
+  MaterialXPictures pictures;
+  pictures.geometry_normal = "n.png";
+  pictures.scale = {3, 2.5};
+  const std::string text = material_x(surfaces, Fit::clamp, changes, std::array{pictures});
+  CHECK(contains(text, R"(  <tiledimage name="wood_geometry_normal" type="vector3">
+    <input name="file" type="filename" value="n.png" />
+    <input name="uvtiling" type="vector2" value="3, 2.5" />
+    <input name="uvoffset" type="vector2" value="0, 0.5" />
+  </tiledimage>
+  <normalmap name="wood_geometry_normal_space" type="vector3">
+    <input name="in" type="vector3" nodename="wood_geometry_normal" />
+  </normalmap>
+)"));
+  CHECK(contains(text,
+                 R"(<input name="geometry_normal" type="vector3" nodename="wood_geometry_normal_space" />)"));
+}
+
 TEST_CASE("pictures are image nodes before their surface, in place of its numbers") {
   std::vector<Changes> changes;
   const std::vector<ExportSurface> surfaces{surface_named("wood"), surface_named("plain")};

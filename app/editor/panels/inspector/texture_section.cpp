@@ -87,7 +87,7 @@ void TextureSection::make_scale() {
     });
   }
   add(tr("UV scale"), scale_,
-      tr("How often the pictures repeat over the object along U and V, in the viewport alone"));
+      tr("How often the pictures repeat over the object along U and V, in the viewport and in exports"));
 }
 
 QWidget& TextureSection::line_of(Channel channel) {
