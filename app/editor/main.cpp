@@ -83,6 +83,7 @@ int main(int argc, char** argv) {
   QTemporaryDir own;
   WindowOptions window_options;
   window_options.cpu_viewport = options.cpu;
+  window_options.theme_given = options.theme.has_value();
   if (picture) {
     window_options.data_folder = own.path();
     window_options.cache_folder = own.path();

@@ -61,12 +61,14 @@ QPalette palette_of(Theme theme) {
 }  // namespace
 
 Theme desktop_theme() {
-  static const Theme theme = is_dark(QApplication::palette()) ? Theme::dark : Theme::light;
-  return theme;
+  const QPalette own = QApplication::palette();
+  QApplication::setPalette(QPalette());
+  const Theme out = is_dark(QApplication::palette()) ? Theme::dark : Theme::light;
+  QApplication::setPalette(own);
+  return out;
 }
 
 void apply_theme(QApplication& application, Theme theme) {
-  (void)desktop_theme();  // is found before the palette is changed
   QApplication::setStyle(new OutlinedBoxes);
   QApplication::setPalette(palette_of(theme));
   // No role of the palette has enough contrast to the window in both themes.

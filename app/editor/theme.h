@@ -18,7 +18,7 @@ bool is_dark(const QPalette& palette);
 /// "dark" or "light", as options and settings name the themes; any other text means that of the desktop.
 QString name(Theme theme);
 Theme theme_named(const QString& name);
-/// The theme of the desktop, by the palette that the application began with: Qt 6.4 has no other sign of it.
+/// The theme of the desktop, by the palette that the application has without one of its own: Qt 6.4 has no other sign of it.
 Theme desktop_theme();
 
 }  // namespace etak::editor

@@ -36,6 +36,7 @@
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_bar.h"
 #include "app/editor/panels/view_panel.h"
+#include "app/editor/theme.h"
 #include "app/editor/window_icon.h"
 #include "app/viewport/background.h"
 
@@ -319,6 +320,12 @@ void Window::keyReleaseEvent(QKeyEvent* event) {
 
 // Fields take the keys of undo for themselves. That is right only while they hold a typed text; otherwise the
 // keys must undo changes of the document.
+bool Window::event(QEvent* event) {
+  if (event->type() == QEvent::ThemeChange && follows_desktop_)
+    QTimer::singleShot(0, this, [] { apply_theme(*qApp, desktop_theme()); });
+  return QMainWindow::event(event);
+}
+
 bool Window::eventFilter(QObject* object, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return QMainWindow::eventFilter(object, event);
   const auto* key = static_cast<QKeyEvent*>(event);

@@ -45,6 +45,7 @@ struct WindowOptions {
   bool cpu_viewport = false;
   QString data_folder, cache_folder;  // for autosaves and thumbnails; empty: the user's folders
   bool remember = true;               // keeps layout, theme and recent files for the next run
+  bool theme_given = false;  // by an option of the program, so that the desktop's does not replace it
 };
 
 /// The window of the editor: library and project on the left, viewport with tabs under it, inspector on the
@@ -112,6 +113,7 @@ class Window : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -247,9 +249,10 @@ class Window : public QMainWindow {
   Worker comparer_;  // compares engines with the exact material
   int busy_ = 0;
   int comparison_ = 0,
-      comparing_ = 0;          // number of the last comparison, and how many of its parts are in work
-  bool alone_ = false;         // the viewport is shown alone
-  QByteArray beside_, below_;  // panels and tabs as they were before
+      comparing_ = 0;             // number of the last comparison, and how many of its parts are in work
+  bool follows_desktop_ = false;  // with the theme
+  bool alone_ = false;            // the viewport is shown alone
+  QByteArray beside_, below_;     // panels and tabs as they were before
   bool seen_frame_ = false, patch_compares_ = false;
 
   Viewport* viewport_ = nullptr;

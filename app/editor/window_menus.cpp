@@ -167,8 +167,10 @@ void Window::make_view_menu() {
   auto* group = new QActionGroup(this);
   const QString now = options_.remember ? QSettings().value("theme", "desktop").toString()
                                         : name(is_dark(palette()) ? Theme::dark : Theme::light);
+  follows_desktop_ = now == "desktop" && !options_.theme_given;
   const auto add = [&](const QString& title, const QString& stored) {
     QAction* each = action(themes, title, {}, [this, stored] {
+      follows_desktop_ = stored == "desktop";
       apply_theme(*qApp, theme_named(stored));
       if (options_.remember) QSettings().setValue("theme", stored);
     });
