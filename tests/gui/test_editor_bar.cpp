@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bar above the viewport, the size of the window, the history and the preferences, by keys and mouse.
+#include <QAbstractSpinBox>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
@@ -8,6 +11,7 @@
 
 #include "app/editor/fields/number_field.h"
 #include "app/editor/panels/drop_table.h"
+#include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/sections.h"
 #include "app/editor/panels/preferences.h"
 #include "app/editor/panels/project_panel.h"
@@ -223,6 +227,61 @@ class EditorBar : public QObject {
     answer(QMessageBox::Discard);
     QTest::keyClick(window.window.get(), Qt::Key_N, Qt::ControlModifier);
     QVERIFY(is_measure(seen_by(window)));
+  }
+
+  // Chooses an entry of the menu of a field, which the menu key opens.
+  static void choose_in_menu(QWidget& part, const QString& entry) {
+    const QPoint middle = part.rect().center();
+    QContextMenuEvent asked(QContextMenuEvent::Keyboard, middle, part.mapToGlobal(middle));
+    QCoreApplication::sendEvent(&part, &asked);
+    QVERIFY(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }));
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    QVERIFY(menu != nullptr);
+    QAction* found = action_named(*menu, entry);
+    QVERIFY2(found != nullptr, qPrintable(entry));
+    menu->setActiveAction(found);
+    QTest::keyClick(menu, Qt::Key_Return);
+  }
+
+  void fields_have_a_menu_that_copies_and_resets() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    show_active(window);
+    QVERIFY(window.settle());
+    auto* gloss = named<QAbstractSpinBox>(window->inspector(), QStringLiteral("Gloss"));
+    QVERIFY(gloss != nullptr);
+    choose_in_menu(*gloss, QStringLiteral("Copy value"));
+    QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("0.75"));
+    window->document().change_material(QStringLiteral("gloss"), 0, [](ProjectMaterial& m) { m.gloss = 0.2; });
+    choose_in_menu(*gloss, QStringLiteral("Reset Gloss"));
+    QCOMPARE(double{window->document().material()->gloss}, 0.75);
+    auto* red = named<QAbstractSpinBox>(window->inspector(), QStringLiteral("Specular, red, sRGB 8 bit"));
+    QVERIFY(red != nullptr);
+    choose_in_menu(*red, QStringLiteral("Copy as hexadecimal"));
+    QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("#ffe49c"));
+    choose_in_menu(*red, QStringLiteral("Copy linear value"));
+    QVERIFY(QApplication::clipboard()->text().startsWith(QStringLiteral("1.04")));
+  }
+
+  void the_theme_follows_the_desktop_while_it_is_told_to() {
+    TestWindow window(true);
+    show_active(window);
+    const auto shown = [] { return is_dark(QApplication::palette()); };
+    const auto desktop_changes = [&] {
+      QEvent change(QEvent::ThemeChange);
+      QCoreApplication::sendEvent(window->windowHandle(), &change);
+      QTest::qWait(20);
+    };
+    action_named(*window, QStringLiteral("As the desktop"))->trigger();
+    const bool desktop = shown();
+    // As if the desktop had been another one until now.
+    apply_theme(*qApp, desktop ? Theme::light : Theme::dark);
+    desktop_changes();
+    QCOMPARE(shown(), desktop);
+    // A theme that was chosen stays.
+    action_named(*window, desktop ? QStringLiteral("Light") : QStringLiteral("Dark"))->trigger();
+    desktop_changes();
+    QCOMPARE(shown(), !desktop);
   }
 };
 

@@ -9,6 +9,7 @@
 
 #include "app/editor/fields/add_button.h"
 #include "app/editor/fields/eyedropper.h"
+#include "app/editor/fields/field_menu.h"
 #include "app/editor/fields/number_field.h"
 #include "app/viewport/qt_picture.h"
 #include "core/base/error.h"
@@ -88,6 +89,16 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
   for (int c = 2; c < 5; ++c) grid->setColumnStretch(c, 1);
 
   connect_parts();
+  QList<QWidget*> parts{swatch_, hex_};
+  for (std::size_t c = 0; c < 3; ++c) parts << linear_[c] << codes_[c];
+  add_field_menu(*this, parts,
+                 {{tr("Copy &linear value"),
+                   [this] {
+                     return QString::fromStdString(number(color_.r, 9) + ", " + number(color_.g, 9) + ", " +
+                                                   number(color_.b, 9));
+                   }},
+                  {tr("Copy as he&xadecimal"), [this] { return hex_->text(); }}},
+                 *reset_);
   show_all();
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "app/editor/fields/add_button.h"
+#include "app/editor/fields/field_menu.h"
 #include "core/base/number.h"
 
 namespace etak::editor {
@@ -165,6 +166,9 @@ NumberField::NumberField(const QString& name, const FieldRange& range, QWidget* 
     show_value(range_.standard);
     emit edited(range_.standard, next_press_id());
   });
+  add_field_menu(*this, {box_, slider_},
+                 {{tr("Copy &value"), [this] { return QString::fromStdString(number(value(), 9)); }}},
+                 *reset);
   show_value(range.standard);
 }
 
