@@ -64,13 +64,16 @@ CompressedTexture blocks_of(const BlockJob& job, bool apart) {
   CompressOptions narrow = job.how;
   narrow.format = fitting;
   BlockJob first{job.decision, job.materials, job.page, job.texture, job.pixels,
-                 job.gloss,    narrow,        job.astc, job.threads};
+                 job.shown,    job.gloss,     narrow,   job.astc,    job.threads};
   CompressedTexture out = compress_texture(first);
   return out.blocks ? std::move(out) : compress_texture(job);
 }
 
 void write_files(const WholePage& page, const PackOptions& options, const PackSource& source,
                  const PackStages& stages, MadePages& to) {
+  const TexelsShown shown = options.output.compress.format != nullptr
+                                ? texels_shown(source, page.decision, page.number)
+                                : TexelsShown();
   for (const Texture texture : both_textures) {
     stages.stop_if_cancelled();
     if (!page.decision.plan.pages[static_cast<std::size_t>(page.number)].has[index_of(texture)]) continue;
@@ -79,8 +82,8 @@ void write_files(const WholePage& page, const PackOptions& options, const PackSo
       continue;
     }
     const CompressedTexture made = blocks_of(
-        {page.decision, source.inputs.materials, page.number, texture, page.pixels, source.inputs.gloss,
-         options.output.compress, options.input.pictures.door.astc, options.run.threads},
+        {page.decision, source.inputs.materials, page.number, texture, page.pixels, shown,
+         source.inputs.gloss, options.output.compress, options.input.pictures.door.astc, options.run.threads},
         source.one_page != nullptr);
     to.blocks.insert(to.blocks.end(), made.report.begin(), made.report.end());
     WriteOptions write = page.options;

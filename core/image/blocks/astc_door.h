@@ -19,10 +19,16 @@ inline constexpr std::size_t most_block_texels = 64;
 
 /// The texels of a block of any format, row by row from the top.
 ///   counting   bit i: something reads texel i. Where none does, all count. Encoders may let all texels count alike
+///   shares     of 255, how much the errors of a texel that counts do; encoders may take them alike
 ///   weights    how much squared errors of its channels count
 struct AnyBlock {
   std::array<std::array<std::uint8_t, 4>, most_block_texels> texels{};
   std::uint64_t counting = 0;
+  std::array<std::uint8_t, most_block_texels> shares = [] {
+    std::array<std::uint8_t, most_block_texels> out{};
+    out.fill(255);
+    return out;
+  }();
   ChannelWeights weights{1, 1, 1, 1};
 };
 

@@ -21,7 +21,7 @@ BlockSource own_source(const AnyBlock& block, BlockCode code) {
                                              : block.texels[i];
   }
   for (std::size_t i = 0; i < out.shares.size(); ++i)
-    out.shares[i] = static_cast<float>(block.counting >> i & 1);
+    out.shares[i] = (block.counting >> i & 1) != 0 ? static_cast<float>(block.shares[i]) / 255 : 0;
   out.weights = block.weights;
   return out;
 }

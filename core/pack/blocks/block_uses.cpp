@@ -29,7 +29,8 @@ void each_block(const LevelBox& box, int side, int across, const See& see) {
 
 }  // namespace
 
-BlockUses block_uses(const PackDecision& decision, int page, Texture texture, int level, int side) {
+BlockUses block_uses(const PackDecision& decision, const TexelsShown& shown, int page, Texture texture,
+                     int level, int side) {
   const PlannedPage& of = decision.plan.pages[static_cast<std::size_t>(page)];
   const int width = std::max(1, of.width >> level), height = std::max(1, of.height >> level);
   BlockUses out;
@@ -60,8 +61,9 @@ BlockUses block_uses(const PackDecision& decision, int page, Texture texture, in
                [&](std::size_t b) { out.owner[b] = static_cast<std::uint32_t>(region.material); });
     for (int y = inside.top; y < inside.bottom; ++y)
       std::fill_n(out.used.begin() + static_cast<std::ptrdiff_t>(y) * width + inside.left,
-                  std::max(0, inside.right - inside.left), std::uint8_t{1});
+                  std::max(0, inside.right - inside.left), std::uint8_t{255});
   }
+  for (std::size_t i = 0; i < shown.size(); ++i) out.used[i] = std::min(out.used[i], shown[i]);
   out.shared = static_cast<std::size_t>(std::ranges::count(shared, 1));
   return out;
 }

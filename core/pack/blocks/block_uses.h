@@ -6,13 +6,15 @@
 #include <optional>
 #include <vector>
 
+#include "core/pack/blocks/texels_shown.h"
 #include "core/pack/decision.h"
 
 namespace etak {
 
 /// What the blocks of one level of a page hold, of one of its textures.
 ///   owner    by block the material that reads its texels; none: no material reads this level there
-///   used     by texel, 1: a material reads it; gutters and what lies between regions are 0
+///   used     by texel, how much of it materials read, 255: all; gutters, what lies between regions and what no triangle
+///            reads are 0
 ///   shared   blocks that hold texels of two regions with their gutters, on levels whose texels are of one region each
 struct BlockUses {
   int across = 0, down = 0;
@@ -21,7 +23,9 @@ struct BlockUses {
   std::size_t shared = 0;
 };
 
-///   side   of the blocks, which are square
-BlockUses block_uses(const PackDecision& decision, int page, Texture texture, int level, int side);
+///   side    of the blocks, which are square
+///   shown   of the level
+BlockUses block_uses(const PackDecision& decision, const TexelsShown& shown, int page, Texture texture,
+                     int level, int side);
 
 }  // namespace etak

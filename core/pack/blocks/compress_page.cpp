@@ -31,12 +31,12 @@ using ByMaterial = std::vector<std::optional<Spreads>>;
 // Compresses one level, and looks at what became of it.
 class LevelInBlocks {
  public:
-  LevelInBlocks(const BlockJob& job, const BlockMeasure& measure, int level)
+  LevelInBlocks(const BlockJob& job, const BlockMeasure& measure, int level, const TexelsShown& shown)
       : job_(job),
         measure_(measure),
         codec_(*job.how.format, job.astc),
         view_(job.pixels.view(job.texture, level)),
-        uses_(block_uses(job.decision, job.page, job.texture, level, job.how.format->block_width)),
+        uses_(block_uses(job.decision, shown, job.page, job.texture, level, job.how.format->block_width)),
         bytes_(codec_.format().block_bytes * uses_.owner.size(), '\0'),
         excess_(uses_.owner.size()) {}
 
@@ -195,10 +195,12 @@ class LevelInBlocks {
       const int x = left + i % side, y = top + i / side;
       const int inside_x = std::min(x, view_.width - 1), inside_y = std::min(y, view_.height - 1);
       std::copy_n(view_.at(inside_x, inside_y), 4, out.texels[static_cast<std::size_t>(i)].data());
-      const bool counts = x == inside_x && y == inside_y &&
-                          uses_.used[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
-                                     static_cast<std::size_t>(x)] != 0;
-      out.counting |= std::uint64_t{counts} << i;
+      if (x != inside_x || y != inside_y) continue;
+      const std::uint8_t share =
+          uses_.used[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
+                     static_cast<std::size_t>(x)];
+      out.counting |= std::uint64_t{share != 0} << i;
+      out.shares[static_cast<std::size_t>(i)] = share;
     }
     return out;
   }
@@ -265,8 +267,9 @@ std::vector<bool> missing(const LevelInBlocks& level, const ByMaterial& spreads)
 }
 
 // Compresses a level and takes its bytes.
-BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int number, std::string& bytes) {
-  LevelInBlocks level(job, measure, number);
+BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int number, const TexelsShown& shown,
+                      std::string& bytes) {
+  LevelInBlocks level(job, measure, number, shown);
   const std::vector<BlockTry> tries = tries_of(job.how);
   level.encode(tries[0]);
   ByMaterial spreads = level.measure();
@@ -306,8 +309,13 @@ CompressedTexture compress_texture(const BlockJob& job) {
   CompressedTexture out;
   out.blocks.emplace();
   out.blocks->format = job.how.format;
+  TexelsShown shown = job.shown;
   for (int l = 0; l < job.pixels.levels(); ++l) {
-    out.report.push_back(compressed(job, measure, l, out.blocks->levels.emplace_back()));
+    if (l > 0) {
+      const ConstPixelsView8 above = job.pixels.view(job.texture, l - 1);
+      shown = next_level(shown, above.width, above.height);
+    }
+    out.report.push_back(compressed(job, measure, l, shown, out.blocks->levels.emplace_back()));
     const bool met = std::ranges::all_of(out.report.back().materials, &BlockMaterial::met);
     if (met || !job.how.falls_back) continue;
     out.blocks.reset();

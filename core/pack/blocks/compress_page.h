@@ -8,6 +8,7 @@
 #include "core/atlas/sources/sources.h"
 #include "core/image/blocks/astc_door.h"
 #include "core/pack/blocks/compress_options.h"
+#include "core/pack/blocks/texels_shown.h"
 #include "core/pack/decision.h"
 
 namespace etak {
@@ -27,6 +28,7 @@ struct BlockJob {
   int page;
   Texture texture;
   const PagePixels& pixels;
+  const TexelsShown& shown;  // of level 0
   GlossForm gloss;
   const CompressOptions& how;  // with a format
   const AstcDoor& astc;

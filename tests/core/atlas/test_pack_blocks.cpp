@@ -2,6 +2,7 @@
 // Atlases whose textures are in blocks.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <tuple>
 
@@ -355,6 +356,55 @@ TEST_CASE("blocks are the same for any number of threads, and a mask in blocks i
     files.push_back(slurp(folder.file("out/page0_diffuse_alpha.ktx2")));
   }
   CHECK(files[0] == files[1]);
+}
+
+TEST_CASE("texels that no triangle of a scene reads weigh nothing in its blocks") {
+  const TempFolder folder;
+  constexpr int side = 64;
+  // Beyond the diagonal there is noise, which the one triangle does not reach.
+  Image8 picture = waves(side, side, 3, 1, 0);
+  std::mt19937 random(2);
+  for (int y = 0; y < side; ++y)
+    for (int x = side + 2 - y; x < side; ++x)
+      for (std::uint8_t& code : picture.at(x, y)) code = static_cast<std::uint8_t>(random());
+  save_png(folder.file("colour.png"), picture);
+  std::string buffer;
+  for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f}) {
+    std::array<char, sizeof value> bytes{};
+    std::memcpy(bytes.data(), &value, sizeof value);
+    buffer.append(bytes.data(), bytes.size());
+  }
+  spit(folder.file("mesh.bin"), buffer);
+  spit(folder.file("scene.gltf"), R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+    "materials": [{"name": "m", "pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}}],
+    "textures": [{"source": 0, "sampler": 0}], "samplers": [{"wrapS": 33071, "wrapT": 33071}],
+    "images": [{"uri": "colour.png"}], "buffers": [{"uri": "mesh.bin", "byteLength": 60}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+      {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}]})");
+  PackOptions options = in_blocks("bc7", {"png", "ktx2"});
+  options.leave_out.keep = {"islands"};
+  const PackResult result = pack(folder.file("scene.gltf"), folder.file("out"), options, built_in_library());
+  const BlockLevel& level = result.blocks.at(0);
+  REQUIRE(level.materials.size() == 1);
+  CHECK(level.texture == Texture::diffuse_alpha);
+  // The whole picture is on the page, but what is told is of the triangle.
+  const TextureFile texture = ktx2_page(folder, "diffuse_alpha");
+  const Image8 exact = load_png(folder.file("out/page0_diffuse_alpha.png"));
+  const AtlasRect rect = rect_named(packed_layout(folder), "m");
+  REQUIRE((rect.width == side && rect.height == side));
+  double read = 0, all = 0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const double difference = delta_e_of(exact.at(rect.x + x, rect.y + y).data(),
+                                           texture.levels[0].at(rect.x + x, rect.y + y).data());
+      all = std::max(all, difference);
+      if (x + y < side) read = std::max(read, difference);
+    }
+  CHECK(level.materials[0].colour_largest >= read - 1e-9);
+  CHECK(level.materials[0].colour_largest < 3);
+  CHECK(all > 10);
 }
 
 TEST_CASE("a budget is a multiple of the usual one, or names its parts") {
