@@ -14,7 +14,7 @@
 
 #include "app/curves/line_plot_widget.h"
 #include "app/curves/polar_plot_widget.h"
-#include "app/editor/fields/add_button.h"
+#include "app/fields/add_button.h"
 #include "app/viewport/background.h"
 #include "core/base/number.h"
 

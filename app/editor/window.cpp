@@ -23,8 +23,6 @@
 #include "app/curves/curves_panel.h"
 #include "app/document/files.h"
 #include "app/document/press_id.h"
-#include "app/editor/fields/number_field.h"
-#include "app/editor/fields/plain_text.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/source_section.h"
@@ -38,6 +36,8 @@
 #include "app/editor/panels/view_panel.h"
 #include "app/editor/theme.h"
 #include "app/editor/window_icon.h"
+#include "app/fields/number_field.h"
+#include "app/fields/plain_text.h"
 #include "app/viewport/background.h"
 
 namespace etak::editor {

@@ -5,9 +5,9 @@
 #include <QMenu>
 
 #include "app/document/pictures.h"
-#include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/window.h"
+#include "app/fields/path_edit.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"

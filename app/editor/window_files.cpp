@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "app/document/files.h"
-#include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/pack_dialog.h"
 #include "app/editor/panels/picture_dialog.h"
 #include "app/editor/panels/problem_strip.h"
 #include "app/editor/window.h"
+#include "app/fields/path_edit.h"
 #include "app/viewport/background.h"
 
 namespace etak::editor {

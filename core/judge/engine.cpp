@@ -7,8 +7,8 @@
 #include <string_view>
 #include <tuple>
 
+#include "core/image/flood.h"
 #include "core/judge/check_pictures.h"
-#include "core/judge/pixels/flood.h"
 #include "core/judge/pixels/pixel_pass.h"
 #include "core/judge/pixels/plan.h"
 #include "core/judge/rule_check.h"

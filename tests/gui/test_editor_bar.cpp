@@ -9,13 +9,13 @@
 #include <QToolButton>
 #include <QUndoView>
 
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/sections.h"
 #include "app/editor/panels/preferences.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/panels/view_bar.h"
+#include "app/fields/number_field.h"
 #include "core/render/view_moves.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"

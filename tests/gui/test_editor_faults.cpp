@@ -12,13 +12,13 @@
 #include <QToolTip>
 
 #include "app/document/press_id.h"
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/pack_dialog.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/panels/texture_view.h"
+#include "app/fields/number_field.h"
 #include "core/base/files/file.h"
 #include "core/image/files/png.h"
 #include "tests/gui/editor_support.h"

@@ -8,12 +8,12 @@
 #include <QToolButton>
 
 #include "app/document/press_id.h"
-#include "app/editor/fields/color_field.h"
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/source_section.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/project_panel.h"
+#include "app/fields/color_field.h"
+#include "app/fields/number_field.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 

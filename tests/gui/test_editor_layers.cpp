@@ -5,9 +5,9 @@
 
 #include "app/curves/line_plot_widget.h"
 #include "app/document/press_id.h"
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/layers_section.h"
+#include "app/fields/number_field.h"
 #include "core/color/srgb.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"

@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "app/document/look.h"
-#include "app/editor/fields/color_field.h"
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/panels/texture_view.h"
+#include "app/fields/color_field.h"
+#include "app/fields/number_field.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 

@@ -7,12 +7,12 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include "app/editor/fields/color_field.h"
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/preview_bar.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/panels/view_panel.h"
+#include "app/fields/color_field.h"
+#include "app/fields/number_field.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 

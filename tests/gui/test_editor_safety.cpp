@@ -12,9 +12,9 @@
 
 #include "app/document/files.h"
 #include "app/document/press_id.h"
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/project_panel.h"
+#include "app/fields/number_field.h"
 #include "core/base/files/input.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"

@@ -7,14 +7,14 @@
 #include <QProgressBar>
 #include <QTreeView>
 
-#include "app/editor/fields/color_field.h"
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/pack_dialog.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/panels/view_panel.h"
+#include "app/fields/color_field.h"
+#include "app/fields/number_field.h"
 #include "core/color/srgb.h"
 #include "tests/gui/editor_support.h"
 #include "tests/gui/gui_test.h"

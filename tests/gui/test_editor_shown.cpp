@@ -10,13 +10,13 @@
 #include <algorithm>
 
 #include "app/document/press_id.h"
-#include "app/editor/fields/color_field.h"
-#include "app/editor/fields/number_field.h"
-#include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"
+#include "app/fields/color_field.h"
+#include "app/fields/number_field.h"
+#include "app/fields/path_edit.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 

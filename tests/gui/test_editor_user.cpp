@@ -11,9 +11,9 @@
 #include <QMenuBar>
 #include <QProcess>
 
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/inspector/inspector.h"
+#include "app/fields/number_field.h"
 #include "core/base/files/file.h"
 #include "core/scene/gltf.h"
 #include "tests/gltf_judge.h"

@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "app/editor/fields/add_button.h"
 #include "app/editor/panels/inspector/sections.h"
+#include "app/fields/add_button.h"
 #include "app/viewport/qt_text.h"
 #include "core/judge/rules.h"
 #include "core/validate/config.h"

@@ -6,9 +6,9 @@
 #include <QLineEdit>
 #include <QListView>
 
-#include "app/editor/fields/add_button.h"
-#include "app/editor/fields/flow_layout.h"
 #include "app/editor/panels/inspector/sections.h"
+#include "app/fields/add_button.h"
+#include "app/fields/flow_layout.h"
 #include "app/viewport/qt_text.h"
 #include "core/material/embedded/unmeasured.h"
 

@@ -7,8 +7,8 @@
 #include <QPixmap>
 #include <QPushButton>
 
-#include "app/editor/fields/add_button.h"
 #include "app/editor/panels/view_panel.h"
+#include "app/fields/add_button.h"
 #include "app/viewport/qt_picture.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"

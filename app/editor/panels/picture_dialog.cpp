@@ -11,8 +11,8 @@
 #include <algorithm>
 
 #include "app/document/saved_pictures.h"
-#include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/inspector/sections.h"
+#include "app/fields/path_edit.h"
 #include "core/render/view_moves.h"
 
 namespace etak::editor {

@@ -4,7 +4,7 @@
 #include <QEvent>
 #include <QLabel>
 
-#include "app/editor/fields/add_button.h"
+#include "app/fields/add_button.h"
 
 namespace etak::editor {
 

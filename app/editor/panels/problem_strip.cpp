@@ -3,7 +3,7 @@
 
 #include <QLabel>
 
-#include "app/editor/fields/add_button.h"
+#include "app/fields/add_button.h"
 
 namespace etak::editor {
 namespace {

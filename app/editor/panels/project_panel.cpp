@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "app/editor/fields/add_button.h"
 #include "app/editor/panels/inspector/sections.h"
+#include "app/fields/add_button.h"
 #include "app/viewport/qt_picture.h"
 #include "core/color/srgb.h"
 

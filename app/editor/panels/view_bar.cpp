@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "app/document/press_id.h"
-#include "app/editor/fields/flow_layout.h"
 #include "app/editor/panels/view_panel.h"
+#include "app/fields/flow_layout.h"
 #include "app/viewport/qt_text.h"
 #include "core/light/studio.h"
 

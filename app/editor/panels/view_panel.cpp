@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/fields/add_button.h"
-#include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/difference_map.h"
 #include "app/editor/panels/inspector/model_list.h"
+#include "app/fields/add_button.h"
+#include "app/fields/path_edit.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/color/ocio.h"

@@ -10,8 +10,8 @@
 
 #include "core/exchange/surfaces/document.h"
 #include "core/judge/pixels/components.h"
-#include "core/judge/pixels/edge_steps.h"
 #include "core/judge/target.h"
+#include "core/maps/edge_steps.h"
 #include "core/maps/map_evidence.h"
 #include "core/maps/other_content.h"
 

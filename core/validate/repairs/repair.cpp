@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/repairs/repair.h"
 
+#include "core/image/flood.h"
 #include "core/judge/engine.h"
 #include "core/judge/pixels/code_tables.h"
-#include "core/judge/pixels/flood.h"
 #include "core/validate/repairs/rows.h"
 
 namespace etak {

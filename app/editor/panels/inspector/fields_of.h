@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/document/press_id.h"
-#include "app/editor/fields/color_field.h"
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/inspector/sections.h"
+#include "app/fields/color_field.h"
+#include "app/fields/number_field.h"
 
 namespace etak::editor {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "app/curves/line_plot_widget.h"
-#include "app/editor/fields/add_button.h"
-#include "app/editor/fields/number_field.h"
+#include "app/fields/add_button.h"
+#include "app/fields/number_field.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"

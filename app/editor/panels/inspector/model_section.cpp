@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "app/document/press_id.h"
-#include "app/editor/fields/number_field.h"
 #include "app/editor/panels/inspector/model_list.h"
+#include "app/fields/number_field.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/render/ambient/accuracy.h"

@@ -5,8 +5,8 @@
 #include <QLineEdit>
 
 #include "app/document/press_id.h"
-#include "app/editor/fields/add_button.h"
 #include "app/editor/panels/inspector/data_sentences.h"
+#include "app/fields/add_button.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/text/text.h"

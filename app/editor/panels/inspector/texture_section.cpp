@@ -9,9 +9,9 @@
 #include "app/document/dropped_pictures.h"
 #include "app/document/files.h"
 #include "app/document/press_id.h"
-#include "app/editor/fields/add_button.h"
-#include "app/editor/fields/number_field.h"
-#include "app/editor/fields/path_edit.h"
+#include "app/fields/add_button.h"
+#include "app/fields/number_field.h"
+#include "app/fields/path_edit.h"
 #include "app/viewport/qt_text.h"
 #include "app/viewport/viewport.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/editor/fields/plain_text.h"
+#include "app/fields/plain_text.h"
 
 #include <QApplication>
 #include <QEvent>

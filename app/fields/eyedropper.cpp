@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/editor/fields/eyedropper.h"
+#include "app/fields/eyedropper.h"
 
 #include <QApplication>
 #include <QColor>

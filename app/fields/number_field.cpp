@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/editor/fields/number_field.h"
+#include "app/fields/number_field.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/fields/add_button.h"
-#include "app/editor/fields/field_menu.h"
+#include "app/fields/add_button.h"
+#include "app/fields/field_menu.h"
 #include "core/base/number.h"
 
 namespace etak::editor {

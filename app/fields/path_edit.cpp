@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/editor/fields/path_edit.h"
+#include "app/fields/path_edit.h"
 
 #include <QPainter>
 #include <QStyle>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/editor/fields/color_field.h"
+#include "app/fields/color_field.h"
 
 #include <QColorDialog>
 #include <QGridLayout>
@@ -7,10 +7,10 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 
-#include "app/editor/fields/add_button.h"
-#include "app/editor/fields/eyedropper.h"
-#include "app/editor/fields/field_menu.h"
-#include "app/editor/fields/number_field.h"
+#include "app/fields/add_button.h"
+#include "app/fields/eyedropper.h"
+#include "app/fields/field_menu.h"
+#include "app/fields/number_field.h"
 #include "app/viewport/qt_picture.h"
 #include "core/base/error.h"
 #include "core/base/number.h"

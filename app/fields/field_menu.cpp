@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/editor/fields/field_menu.h"
+#include "app/fields/field_menu.h"
 
 #include <QAbstractButton>
 #include <QApplication>

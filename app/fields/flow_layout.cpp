@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/editor/fields/flow_layout.h"
+#include "app/fields/flow_layout.h"
 
 #include <QWidget>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/judge/pixels/edge_steps.h"
+#include "core/maps/edge_steps.h"
 
 #include <algorithm>
 #include <cstdint>
