@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // bench_editor editor_times: prints how long the editor takes from a change to the picture that shows it, with OpenGL where there is one:
-// the gloss of a material with textures of 4096 x 4096 texels, and an environment of 1024 x 512 pixels.
+// the gloss of a material with textures of 4096 x 4096 texels, an environment of 1024 x 512 pixels, a slider that is dragged, a dropped set
+// of three pictures of 4096 x 4096 and its reload, and the longest stall of the window with 1,000 materials.
 #include <QAbstractButton>
+#include <QSlider>
 #include <algorithm>
+#include <ctime>
 
+#include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"
+#include "app/editor/panels/project_panel.h"
 #include "app/editor/start_time.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
@@ -24,6 +29,52 @@ double until_drawn(TestWindow& window, QElapsedTimer& timer, Shown shown) {
   QCoreApplication::processEvents();  // paints what the thread has drawn
   return static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
+
+// A picture of 4096 x 4096 texels.
+void save_tiles(const QString& file, int shade) {
+  QImage tiles(4096, 4096, QImage::Format_RGB32);
+  for (int y = 0; y < tiles.height(); ++y) {
+    auto* const row = reinterpret_cast<QRgb*>(tiles.scanLine(y));
+    for (int x = 0; x < tiles.width(); ++x)
+      row[x] = qRgb(shade + x / 64 % 60, shade + y / 32 % 50, shade + (x * 7 + y * 3) % 11);
+  }
+  QVERIFY(tiles.save(file, "PNG", 90));
+}
+
+double thread_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+// The longest that the event loop did not come round while it lives, by the clock and by the work of its thread.
+class Stalls : public QObject {
+ public:
+  Stalls() {
+    timer_.setInterval(0);
+    connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+    forget();
+    timer_.start();
+  }
+  void forget() {
+    clock_.start();
+    work_ = thread_ms();
+    most_clock = most_work = 0;
+  }
+  double most_clock = 0, most_work = 0;
+
+ private:
+  void look() {
+    most_clock = std::max(most_clock, static_cast<double>(clock_.nsecsElapsed()) * 1e-6);
+    const double now = thread_ms();
+    most_work = std::max(most_work, now - work_);
+    clock_.start();
+    work_ = now;
+  }
+  QTimer timer_;
+  QElapsedTimer clock_;
+  double work_ = 0;
+};
 
 }  // namespace
 
@@ -101,6 +152,115 @@ class EditorTimes : public QObject {
     qInfo("environment of 1024 x 512: first picture after %.0f ms least, %.0f median; sharp after %.0f, %.0f",
           firsts.front(), firsts[2], sharps.front(), sharps[2]);
     QVERIFY(firsts.front() < sharps.front());
+  }
+
+  void slider_drag_at_900_pixels() {
+    TestWindow window;
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    window->viewport().setFixedSize(900, 900);
+    window->show();
+    QVERIFY(window.settle(most_ms));
+    auto* slider = named<QSlider>(window->inspector(), QStringLiteral("Gloss, slider"));
+    QVERIFY(slider != nullptr && slider->width() > 20);
+    QSignalSpy drawn(&window->viewport(), &Viewport::frame_drawn);
+    const int y = slider->height() / 2, least = 8, most = slider->width() - 8;
+    QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(least, y));
+    drawn.clear();
+    const double worked = since_start().work_ms;
+    QElapsedTimer timer;
+    timer.start();
+    for (int i = 0; timer.elapsed() < 4000; ++i) {
+      const int way = i % (2 * (most - least));
+      const QPointF at(way < most - least ? least + way : 2 * most - least - way, y);
+      QMouseEvent move(QEvent::MouseMove, at, slider->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+      QCoreApplication::sendEvent(slider, &move);
+      QTest::qWait(4);
+    }
+    const double seconds = static_cast<double>(timer.elapsed()) * 1e-3, work = since_start().work_ms - worked;
+    const auto pictures = static_cast<double>(drawn.count());
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(most, y));
+    qInfo("slider at %d x %d: %.1f pictures a second, %.1f ms of processors each", window->viewport().width(),
+          window->viewport().height(), pictures / seconds, work / pictures);
+    QVERIFY(pictures > 0);
+  }
+
+  void a_dropped_set_of_three_large_pictures() {
+    TestWindow window;
+    window->show();
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    QVERIFY(window.settle(most_ms));
+    QStringList files;
+    for (const char* name : {"wall_basecolor.png", "wall_metallic.png", "wall_roughness.png"}) {
+      files << window.file(QLatin1String(name));
+      save_tiles(files.back(), 40 + 60 * static_cast<int>(files.size()));
+    }
+    const auto textures = [&] { return window->viewport().state().a.textures; };
+    QElapsedTimer timer;
+    timer.start();
+    double worked = since_start().work_ms;
+    QVERIFY(drop(window->viewport(), files));
+    DropTable* table = nullptr;
+    QVERIFY(QTest::qWaitFor([&] { return (table = window->findChild<DropTable*>()) && table->isVisible(); },
+                            most_ms));
+    const auto asked = static_cast<double>(timer.elapsed());
+    QTest::keyClick(table, Qt::Key_Return);
+    const double shown = until_drawn(window, timer, [&] { return textures() != nullptr; });
+    qInfo("a set of three PNG of 4096 x 4096: table after %.0f ms, shown after %.0f, with %.0f of processors",
+          asked, shown, since_start().work_ms - worked);
+    QVERIFY(shown > 0);
+    QVERIFY(window.settle(most_ms));
+    const auto before = textures();
+    save_tiles(files.front(), 140);
+    timer.restart();
+    worked = since_start().work_ms;
+    const double again = until_drawn(window, timer, [&] { return textures() && textures() != before; });
+    qInfo("one of them saved anew: shown after %.0f ms, with %.0f of processors", again,
+          since_start().work_ms - worked);
+    QVERIFY(again > 0);
+  }
+
+  void a_thousand_materials() {
+    TestWindow window;
+    show_active(window);
+    QVERIFY(window.settle(most_ms));
+    Project project;
+    for (int i = 0; i < 1000; ++i) {
+      ProjectMaterial m;
+      m.name = "material " + std::to_string(i);
+      m.diffuse = {0.001 * i, 0.4, 0.2};
+      m.alpha_mode = AlphaMode::opaque;
+      project.materials.push_back(m);
+    }
+    const QString file = window.file(QStringLiteral("many.json"));
+    write(file, QByteArray::fromStdString(format_project(project, file.toStdString())));
+    Stalls stalls;
+    const auto tell = [&](const char* what) {
+      QTest::qWait(300);
+      qInfo("1,000 materials, %s: longest stall %.0f ms by the clock, %.0f of work", what, stalls.most_clock,
+            stalls.most_work);
+      stalls.forget();
+    };
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    window->open(file);
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, most_ms));
+    tell("opened");
+    QVERIFY(window.settle(most_ms));
+    tell("checked and drawn");
+    QListView& list = window->project_panel().list();
+    for (int i = 0; i < 40; ++i) {
+      QTest::keyClick(&list, i % 5 == 4 ? Qt::Key_PageDown : Qt::Key_Down);
+      QTest::qWait(20);
+    }
+    tell("stepped through");
+    for (int i = 0; i < 20; ++i) {
+      window->document().change_material(QStringLiteral("gloss"), i + 1,
+                                         [&](ProjectMaterial& m) { m.gloss = 0.2 + 0.03 * i; });
+      QTest::qWait(20);
+    }
+    tell("one edited");
+    QTest::keyClick(&list, Qt::Key_A, Qt::ControlModifier);
+    tell("all marked");
+    QVERIFY(window.settle(most_ms));
   }
 };
 
