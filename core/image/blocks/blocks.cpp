@@ -79,11 +79,6 @@ const BlockFormat* block_format_of_dxgi(std::uint32_t dxgi) {
   return find_format(dxgi, &BlockFormat::dxgi, &BlockFormat::dxgi_srgb);
 }
 
-const BlockFormat* block_format_named(std::string_view name) {
-  const auto found = std::ranges::find(block_formats, name, &BlockFormat::name);
-  return found != block_formats.end() ? &*found : nullptr;
-}
-
 std::size_t texture_level_bytes(const BlockFormat* format, int width, int height) {
   if (format == nullptr) return 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   return blocks_along(width, format->block_width) * blocks_along(height, format->block_height) *

@@ -50,7 +50,11 @@ inline double bits_per_texel(const BlockFormat& format) {
 const BlockFormat* block_format_of_vk(std::uint32_t vk);
 const BlockFormat* block_format_of_dxgi(std::uint32_t dxgi);
 /// The same by its name.
-const BlockFormat* block_format_named(std::string_view name);
+constexpr const BlockFormat* block_format_named(std::string_view name) {
+  for (const BlockFormat& each : block_formats)
+    if (each.name == name) return &each;
+  return nullptr;
+}
 
 /// The bytes of one mip level. Blocks at the right and the lower edge are whole where the level is not.
 ///   format   null: four bytes a texel
