@@ -5,15 +5,13 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "app/document/files.h"
+#include "app/document/looked_at.h"
 #include "app/document/pictures.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
-#include "core/base/files/file.h"
-#include "core/image/load.h"
-#include "core/image/picture_bytes.h"
-#include "core/maps/map_survey.h"
 #include "core/names/picture_sets.h"
 #include "core/validate/find/picture_namer.h"
 
@@ -117,7 +115,7 @@ std::optional<Channel> channel_of_letter(char letter) {
 // Makes the rows of one set.
 class SetRows {
  public:
-  SetRows(Group& group, std::size_t set) : group_(group), set_(set) {
+  SetRows(Group& group, std::size_t set, const LookedAt& looked) : group_(group), set_(set), looked_(looked) {
     (void)sets_of(group_);  // settles what words mean by the pictures beside them
     for (const NamedPicture& picture : group_)
       metal_ =
@@ -152,11 +150,12 @@ class SetRows {
                                             spare ? std::max(rank, 2) : rank});
     if (!channel) out.row.remark = QObject::tr("not taken: no channel holds it");
     out.row.fixed = !channel;
-    const QString failure = picture_failure(qt_text(picture.path), &out.header);
-    if (failure.isEmpty()) return;
+    const Looked& looked = looked_.at(picture.path);
+    out.header = looked.header;
+    if (looked.failure.isEmpty()) return;
     out.row.channel.reset();
     out.row.fixed = true;
-    out.row.remark = failure;
+    out.row.remark = looked.failure;
   }
 
   Channel color() const { return metal_ ? Channel::base_color : Channel::diffuse; }
@@ -202,7 +201,8 @@ class SetRows {
     DroppedRow& row = rows_.back().row;
     row.green = picture.name.green;
     if (row.green != GreenAxis::unsaid) return;
-    row.green = green_of(picture.path);
+    const std::optional<GreenAxis>& measured = looked_.at(picture.path).green;
+    row.green = measured ? *measured : green_of(picture.path);
     row.remark = row.green == GreenAxis::unsaid
                      ? QObject::tr("neither name nor texels tell which way green points")
                      : QObject::tr("green by its texels");
@@ -286,6 +286,7 @@ class SetRows {
 
   Group& group_;
   std::size_t set_;
+  const LookedAt& looked_;
   bool metal_ = false;
   std::vector<Ranked> rows_;
 };
@@ -328,26 +329,6 @@ QString DroppedPictures::doubles() const {
   return {};
 }
 
-QString picture_failure(const QString& path, PictureHeader* header) {
-  const std::string file = path.toStdString(), name = file_name(file).toStdString();
-  QString out = failure_of(
-      [&] {
-        const std::string bytes = read_file(file, largest_picture_bytes);
-        check_whole(bytes, picture_format(bytes, name), name);
-        const PictureHeader said = picture_door().header(file);
-        if (header != nullptr) *header = said;
-      },
-      QObject::tr("%1: not enough memory").arg(qt_text(name)));
-  return out.replace(path, qt_text(name));
-}
-
-GreenAxis green_of(const std::string& path) {
-  GreenAxis out = GreenAxis::unsaid;
-  (void)failure_of(
-      [&] { out = measured_green(survey_normals(*open_picture(path, picture_door()), {})).axis; });
-  return out;
-}
-
 DroppedPictures sort_pictures(const QStringList& paths) {
   DroppedPictures out;
   std::map<std::string, Group> groups = groups_of(pictures_of(paths, out.refused));
@@ -358,11 +339,19 @@ DroppedPictures sort_pictures(const QStringList& paths) {
                        .arg(most_dropped_sets);
     return out;
   }
+  std::vector<FileToLookAt> files;
+  for (const auto& [key, group] : groups)
+    for (const NamedPicture& each : group)
+      files.push_back(
+          {each.path, each.name.role == FileRole::normal && each.name.green == GreenAxis::unsaid});
+  const LookedAt looked = looked_at(std::move(files));
   for (auto& [key, group] : groups) {
-    std::vector<DroppedRow> rows = SetRows(group, out.sets.size()).rows();
+    std::vector<DroppedRow> rows = SetRows(group, out.sets.size(), looked).rows();
     out.sets.push_back(name_of(group));
     std::ranges::move(rows, std::back_inserter(out.rows));
   }
+  for (const auto& [path, at] : looked)
+    if (at.file.picture) out.decoded.emplace(path, at.file);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <vector>
 
+#include "core/atlas/sources/plane.h"
 #include "core/image/picture.h"
 #include "core/judge/settings.h"
 #include "core/project/project.h"
@@ -34,10 +35,12 @@ struct DroppedRow {
 /// What becomes of dropped pictures: every file has rows or is refused.
 ///   sets      names of the materials: what the names of their pictures have in common
 ///   refused   a sentence for each path that has no row
+///   decoded   pictures that were read whole and need not be read again: of sets of usual sizes all
 struct DroppedPictures {
   std::vector<std::string> sets;
   std::vector<DroppedRow> rows;
   QStringList refused;
+  DecodedFiles decoded = {};
 
   /// Whether more than one quantity came, or one that is not taken: the user then sees the table first.
   bool needs_table() const;

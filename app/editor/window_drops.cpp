@@ -101,11 +101,13 @@ void Window::ask_what_goes_where(DroppedPictures dropped) {
 }
 
 void Window::take_sets(const DroppedPictures& dropped, bool fresh) {
+  texture_view_->take_known(dropped.decoded);
   if (!fresh && dropped.sets.size() == 1 && document_.material() != nullptr)
     document_.change_material(tr("textures"), next_press_id(),
                               [&](ProjectMaterial& m) { take_set(dropped, 0, m); });
   else
     document_.add(materials_of(dropped), {}, tr("materials of pictures"));
+  texture_view_->take_known({});
   tell(taken_text(dropped));
 }
 

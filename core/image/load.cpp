@@ -152,7 +152,7 @@ Picture load_picture(const PictureFile& file, const PictureDoor& door) {
 
 const PictureHeader& ValueRows::header() const {
   if (const auto* png = std::get_if<PngReader>(&from_)) return png->header();
-  return std::get<Picture>(from_).header;
+  return std::get<std::shared_ptr<const Picture>>(from_)->header;
 }
 
 void ValueRows::read(std::uint8_t* out, std::size_t stride, int count) {
@@ -164,7 +164,7 @@ void ValueRows::read(std::uint8_t* out, std::size_t stride, int count) {
           std::memcpy(out, row.data(), static_cast<std::size_t>(pixels.width) * row.size_bytes());
         }
       },
-      std::get<Picture>(from_).pixels);
+      std::get<std::shared_ptr<const Picture>>(from_)->pixels);
 }
 
 std::unique_ptr<RowSource> open_rows(const std::string& path) {

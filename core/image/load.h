@@ -36,13 +36,15 @@ Picture load_picture(const PictureFile& file, const PictureDoor& door);
 class ValueRows {
  public:
   explicit ValueRows(PngReader png) : from_(std::move(png)) {}
-  explicit ValueRows(Picture picture) : from_(std::move(picture)) {}
+  explicit ValueRows(Picture picture) : ValueRows(std::make_shared<const Picture>(std::move(picture)), 0) {}
+  ///   first   row with which they begin
+  ValueRows(std::shared_ptr<const Picture> picture, int first) : from_(std::move(picture)), next_(first) {}
   const PictureHeader& header() const;
   /// Writes the next `count` rows, row i at out + i * stride bytes. Throws Error for broken data.
   void read(std::uint8_t* out, std::size_t stride, int count);
 
  private:
-  std::variant<PngReader, Picture> from_;
+  std::variant<PngReader, std::shared_ptr<const Picture>> from_;
   int next_ = 0;
 };
 

@@ -21,6 +21,14 @@ namespace etak {
 bool has_textures(const ProjectMaterial& material);
 bool has_packed_textures(const ProjectMaterial& material);
 
+/// Whether texels of a channel come from a picture. The mode opaque does not read the alpha.
+bool is_read(const ProjectMaterial& material, Channel channel);
+
+/// A material as the packer reads it, without its normal map. Throws Error as pictures_of().
+///   reading   must outlive the input
+PackInput input_of(const ProjectMaterial& material, const MaterialLibrary& library,
+                   const PictureReading& reading, std::size_t most_texels = 0);
+
 /// Both textures of a material, as they would be packed; without pictures of these channels 16 x 16 texels of one colour.
 /// Throws Error for pictures that cannot be read or are too large.
 ///   most_texels   larger pictures are refused; 0: no limit
@@ -64,10 +72,21 @@ std::optional<Image> light_picture(const ProjectMaterial& material, Channel chan
 Image normal_picture(const ProjectMaterial& material, const PictureDoor& door, int most_side);
 
 /// The textures of a material in linear light for a renderer, made smaller by means over areas until no side is
-/// above `most_side` texels. They hold the channels that have a picture. Throws Error as light_picture().
+/// above `most_side` texels. Squares of texels become one. They hold the channels that have a picture. Throws Error as light_picture().
 ///   pair   of pictures_of()
 SurfaceTextures surface_textures(const ProjectMaterial& material, const MaterialPair& pair,
                                  const PictureDoor& door, int most_side);
+
+/// The same from the files, each of which is decoded once, several at a time; no pair of the full size is made.
+///   known           as of decoded_files()
+///   width, height   of the files of packed channels; where there are none, of a texture of the others
+struct SurfacePicturesRead {
+  SurfaceTextures textures;
+  int width = 0, height = 0;
+};
+SurfacePicturesRead read_surface_textures(const ProjectMaterial& material, const MaterialLibrary& library,
+                                          const PictureDoor& door, int most_side, std::size_t most_texels = 0,
+                                          const DecodedFiles& known = {});
 
 /// The texture that holds a channel: a colour in its first three channels, a number in the fourth.
 const Image& channel_image(const SurfaceTextures& textures, Channel channel);

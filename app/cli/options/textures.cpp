@@ -40,9 +40,11 @@ void read_textures(SceneArguments& arguments) {
   const auto body = linear_texture("--texture", arguments.texture),
              gloss = linear_texture("--gloss-texture", arguments.gloss_texture);
   std::optional<Image> emission, occlusion;
-  if (!of_emission.empty()) emission = emission_floats({of_emission, {}, {}}, of_emission, picture_door());
+  if (!of_emission.empty())
+    emission = emission_floats({of_emission, {}, {}}, of_emission, {std::nullopt, picture_door(), {}, {}});
   if (!of_occlusion.empty())
-    occlusion = occlusion_floats({of_occlusion, {}, {}}, of_occlusion, picture_door());
+    occlusion =
+        occlusion_floats({of_occlusion, {}, {}}, of_occlusion, {std::nullopt, picture_door(), {}, {}});
   const auto given = [](const std::optional<Image>& picture) { return picture ? &*picture : nullptr; };
   arguments.textures =
       surface_textures({given(body), given(gloss), given(emission), given(occlusion)}, max_scene_texture);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <list>
 #include <optional>
+#include <utility>
 
 #include "app/document/pictures.h"
 #include "app/editor/panels/histogram.h"
@@ -64,14 +65,12 @@ struct TextureView::PicturesKept {
 namespace {
 
 template <class Read>
-void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& read) {
-  const MaterialPair pair = pictures_of(m, library, picture_door(), most_texels);
-  const auto textures =
-      std::make_shared<const SurfaceTextures>(surface_textures(m, pair, picture_door(), most_side));
-  const bool packed = has_packed_textures(m);
-  const Image& alone = textures->emission.width > 0 ? textures->emission : textures->normal;
-  read.whole_size =
-      packed ? QSize(pair.diffuse_alpha.width, pair.diffuse_alpha.height) : QSize(alone.width, alone.height);
+void read_files(const ProjectMaterial& m, const MaterialLibrary& library, const DecodedFiles& decoded,
+                Read& read) {
+  SurfacePicturesRead made =
+      read_surface_textures(m, library, picture_door(), most_side, most_texels, decoded);
+  const auto textures = std::make_shared<const SurfaceTextures>(std::move(made.textures));
+  read.whole_size = QSize(made.width, made.height);
   read.size = QObject::tr("%1 x %2 texels").arg(read.whole_size.width()).arg(read.whole_size.height());
   for (const Channel channel : all_channels) {
     if (!is_shown(channel) || !gives(m, channel)) continue;
@@ -98,7 +97,8 @@ QColor packed_color(const ProjectMaterial& m, const MaterialPair& numbers, Chann
 
 // The textures of the material as it is now, from the files where those were not read or have changed.
 template <class Kept>
-Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Kept& kept) {
+Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, const DecodedFiles& decoded,
+                   Kept& kept) {
   Loaded out;
   const auto work = [&] {
     PicturesKey key(m);
@@ -109,7 +109,7 @@ Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Kep
     } else {
       std::remove_reference_t<decltype(all)> fresh;
       fresh.push_back({std::move(key)});
-      read_files(m, library, fresh.front());
+      read_files(m, library, decoded, fresh.front());
       all.splice(all.begin(), fresh);
       if (all.size() > Kept::most) all.pop_back();
     }
@@ -310,6 +310,10 @@ QRectF TextureView::shown_box() const {
           part.height() * shown_size_.height()};
 }
 
+void TextureView::take_known(DecodedFiles known) {
+  known_ = std::move(known);
+}
+
 void TextureView::read_again() {
   loaded_.reset();
   load();
@@ -368,7 +372,9 @@ void TextureView::load() {
   if (m->textures != shown_files_) wait_for(*m);
   in_background(
       pool_, this,
-      [m = *m, library = document_.library(), kept = kept_] { return loaded_from(m, *library, *kept); },
+      [m = *m, library = document_.library(), kept = kept_, decoded = std::exchange(known_, {})] {
+        return loaded_from(m, *library, decoded, *kept);
+      },
       [this, key](Loaded loaded) {
         if (loaded_ != key) return;
         const bool other = loaded.textures != textures_ || waiting_;

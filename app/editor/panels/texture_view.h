@@ -7,6 +7,7 @@
 
 #include "app/document/document.h"
 #include "app/viewport/background.h"
+#include "core/atlas/sources/plane.h"
 
 class QLabel;
 
@@ -31,6 +32,8 @@ class TextureView : public QWidget {
   QRectF shown_box() const;
   /// Reads the pictures whose files have changed. The old ones are shown until then.
   void read_again();
+  /// Gives files that were decoded already to the next reading of pictures; none: takes them back.
+  void take_known(DecodedFiles known);
   /// The textures for the viewport; null where there are none. textures_changed() is emitted when they are
   /// read.
   const std::shared_ptr<const SurfaceTextures>& textures() const { return textures_; }
@@ -63,6 +66,7 @@ class TextureView : public QWidget {
   std::optional<ProjectMaterial> loaded_;
   decltype(ProjectMaterial::textures) shown_files_;  // whose pictures are shown, or could not be read
   std::shared_ptr<PicturesKept> kept_;
+  DecodedFiles known_;
   bool reading_ = false, waiting_ = false;
   std::array<QImage, all_channels.size()> pictures_;  // one texel for channels that have none
   QSize shown_size_, whole_size_;                     // in which they are shown, and of the files

@@ -5,33 +5,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <variant>
 
 #include "core/color/srgb.h"
 
 namespace etak {
 namespace {
-
-// A picture's numbers: codes as they are, which floats hold exactly.
-struct Numbers {
-  Image image;
-  double full = 1;      // the code that stands for 1
-  bool floats = false;  // of a file of floats, whose colours are linear by themselves
-
-  double at(std::size_t i) const { return double{image.values[i]} / full; }
-};
-
-template <class Code>
-Numbers numbers_of(const Pixels<Code>& codes) {
-  Numbers out{Image(codes.width, codes.height, codes.channels), std::numeric_limits<Code>::max(), false};
-  std::copy(codes.values.begin(), codes.values.end(), out.image.values.begin());
-  return out;
-}
-
-Numbers numbers_of(Picture picture) {
-  if (auto* floats = std::get_if<Image>(&picture.pixels)) return {std::move(*floats), 1, true};
-  if (const auto* wide = std::get_if<Image16>(&picture.pixels)) return numbers_of(*wide);
-  return numbers_of(std::get<Image8>(picture.pixels));
-}
 
 double value_of(const PlaneSource& source, double v, bool floats) {
   const CodeCurve* curve = source.curve.get();
@@ -39,6 +19,12 @@ double value_of(const PlaneSource& source, double v, bool floats) {
   if (curve != nullptr && floats && curve->linear_float) return curve->linear_float(v);
   if (curve != nullptr && curve->linear) return curve->linear(v);
   return srgb_decode(v);
+}
+
+// What stands for 1 in a picture.
+template <class Value>
+double full(const Pixels<Value>&) {
+  return sizeof(Value) < sizeof(float) ? double{std::numeric_limits<Value>::max()} : 1.0;
 }
 
 // Colour and grey planes side by side.
@@ -54,33 +40,70 @@ Image joined(const Image& color, const Image& grey) {
 }  // namespace
 
 Image fractions(Picture picture) {
-  Numbers numbers = numbers_of(std::move(picture));
-  for (std::size_t i = 0; i < numbers.image.values.size(); ++i)
-    numbers.image.values[i] = static_cast<float>(numbers.at(i));
-  return std::move(numbers.image);
+  if (auto* floats = std::get_if<Image>(&picture.pixels)) return std::move(*floats);
+  return std::visit(
+      [](const auto& from) {
+        Image out(from.width, from.height, from.channels);
+        for (std::size_t i = 0; i < out.values.size(); ++i)
+          out.values[i] = static_cast<float>(static_cast<double>(from.values[i]) / full(from));
+        return out;
+      },
+      std::as_const(picture.pixels));
+}
+
+PlaneNumbers::PlaneNumbers(const PlaneSource& source, int width, int height)
+    : source_(&source), width_(static_cast<std::size_t>(width)) {
+  if (!source.is_image()) return;
+  picture_ = source.known();
+  if (!picture_) picture_ = std::make_shared<const Picture>(load_picture(source.path, *source.door));
+  const auto& [header, pixels] = *picture_;
+  check_size(source, header.width, header.height, width, height);
+  pick_ = picked_channels(source, header.channels);
+  std::visit(
+      [&]<class Value>(const Pixels<Value>& from) {
+        if constexpr (sizeof(Value) < sizeof(float)) {
+          of_code_.resize(std::size_t{std::numeric_limits<Value>::max()} + 1);
+          for (std::size_t code = 0; code < of_code_.size(); ++code)
+            of_code_[code] = value(static_cast<double>(code) / full(from), false);
+        }
+      },
+      pixels);
+}
+
+float PlaneNumbers::value(double v, bool floats) const {
+  return static_cast<float>(source_->space ? v : value_of(*source_, v, floats));
+}
+
+void PlaneNumbers::read(int y, float* out) const {
+  const auto channels = static_cast<std::size_t>(this->channels());
+  if (!picture_) {
+    for (std::size_t i = 0; i < channels * width_; ++i)
+      out[i] = static_cast<float>(source_->exact[i % channels]);
+    return;
+  }
+  std::visit(
+      [&]<class Value>(const Pixels<Value>& from) {
+        const auto step = static_cast<std::size_t>(from.channels);
+        const Value* row = from.at(0, y).data();
+        for (std::size_t x = 0; x < width_; ++x, row += step)
+          for (std::size_t c = 0; c < channels; ++c) {
+            const Value v = row[pick_[c]];
+            if constexpr (sizeof(Value) < sizeof(float)) {
+              out[channels * x + c] = of_code_[v];
+            } else {
+              if (!std::isfinite(v)) refuse_not_finite(*source_);
+              out[channels * x + c] = value(double{v}, true);
+            }
+          }
+      },
+      picture_->pixels);
+  if (source_->space) source_->space(out, width_);
 }
 
 Image plane_floats(const PlaneSource& source, int width, int height) {
-  const std::size_t channels = source.color ? 3 : 1;
-  Image out(width, height, static_cast<int>(channels));
-  if (!source.is_image()) {
-    for (std::size_t i = 0; i < out.values.size(); ++i)
-      out.values[i] = static_cast<float>(source.exact[i % channels]);
-    return out;
-  }
-  const Numbers numbers = numbers_of(load_picture(source.path, *source.door));
-  const Image& from = numbers.image;
-  check_size(source, from.width, from.height, width, height);
-  const std::array<int, 3> pick = picked_channels(source, from.channels);
-  const auto step = static_cast<std::size_t>(from.channels);
-  for (std::size_t i = 0; i < out.pixel_count(); ++i)
-    for (std::size_t c = 0; c < channels; ++c) {
-      const double v = numbers.at(step * i + static_cast<std::size_t>(pick[c]));
-      if (!std::isfinite(v)) refuse_not_finite(source);
-      out.values[channels * i + c] =
-          static_cast<float>(source.space ? v : value_of(source, v, numbers.floats));
-    }
-  if (source.space) source.space(out.values.data(), out.pixel_count());
+  const PlaneNumbers numbers(source, width, height);
+  Image out(width, height, numbers.channels());
+  for (int y = 0; y < height; ++y) numbers.read(y, out.at(0, y).data());
   return out;
 }
 

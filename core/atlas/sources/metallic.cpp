@@ -5,43 +5,56 @@
 #include <memory>
 
 #include "core/atlas/sources/floats.h"
-#include "core/atlas/sources/sources.h"
-#include "core/atlas/texels/page_memory.h"
+#include "core/atlas/sources/pictures.h"
 #include "core/color/srgb.h"
-#include "core/scene/material_texels.h"
 
 namespace etak {
 
-void set_metallic(const PlaneSource& metal, PackInput& in) {
-  const auto planes = std::make_shared<std::array<PlaneSource, 4>>(
-      std::array<PlaneSource, 4>{in.color[0], in.grey[0], metal, in.grey[1]});
-  const int width = in.width, height = in.height;
-  in.convert = [planes, width, height](std::vector<std::string>&) {
-    MaterialPair out{Image8(width, height, 4), Image8(width, height, 4)};
-    std::array<FileBytes, 4> files;
-    std::vector<PlaneRows> rows;
-    for (std::size_t i = 0; i < 4; ++i) rows.emplace_back((*planes)[i], files[i]);
-    for (int y = 0; y < height; ++y) {
-      std::array<const std::uint8_t*, 4> at{};
-      for (std::size_t i = 0; i < 4; ++i) at[i] = (*planes)[i].is_image() ? rows[i].read(1) : nullptr;
-      auto* a = out.diffuse_alpha.at(0, y).data();
-      auto* b = out.specular_gloss.at(0, y).data();
-      const auto texels = static_cast<std::size_t>(width);
-      interleave(a, texels, at[0], rows[0], at[1], rows[1]);
-      interleave(b, texels, at[2], rows[2], at[3], rows[3]);
-      for (std::size_t x = 0; x < texels; ++x) {
-        const double share = b[4 * x] / 255.0;
-        for (std::size_t c = 0; c < 3; ++c) {
-          const MetallicChannel texel = metallic_channel(srgb_decode(a[4 * x + c] / 255.0), share);
-          a[4 * x + c] = srgb_u8(texel.diffuse);
-          b[4 * x + c] = srgb_u8(texel.f0);
-        }
-      }
+namespace {
+
+// Codes of the diffuse colour and of F0 by the codes of metalness and of a base colour's channel.
+using MetallicCodes = std::array<std::array<std::array<std::uint8_t, 2>, 256>, 256>;
+
+MetallicCodes metallic_codes() {
+  MetallicCodes out;
+  for (std::size_t code = 0; code < 256; ++code) {
+    const double base = srgb_decode(static_cast<double>(code) / 255.0);
+    for (std::size_t metal = 0; metal < 256; ++metal) {
+      const MetallicChannel texel = metallic_channel(base, static_cast<double>(metal) / 255.0);
+      out[metal][code] = {srgb_u8(texel.diffuse), srgb_u8(texel.f0)};
     }
+  }
+  return out;
+}
+
+}  // namespace
+
+void convert_metallic(std::uint8_t* base_alpha, std::uint8_t* metal_gloss, std::size_t texels) {
+  static const MetallicCodes all = metallic_codes();
+  for (std::size_t i = 0; i < 4 * texels; i += 4) {
+    const auto& codes = all[metal_gloss[i]];
+    for (std::size_t c = i; c < i + 3; ++c) {
+      const auto [diffuse, f0] = codes[base_alpha[c]];
+      base_alpha[c] = diffuse;
+      metal_gloss[c] = f0;
+    }
+  }
+}
+
+void set_metallic(const PlaneSource& metal, PackInput& in) {
+  const auto planes = std::make_shared<PairPlanes>(
+      PairPlanes{{in.color[0], in.grey[0], metal, in.grey[1]}, true, in.width, in.height});
+  in.metallic = planes;
+  in.convert = [planes](std::vector<std::string>&) {
+    MaterialPair out{Image8(planes->width, planes->height, 4), Image8(planes->width, planes->height, 4)};
+    PairRows rows(*planes);
+    for (int y = 0; y < planes->height; ++y)
+      rows.read(out.diffuse_alpha.at(0, y).data(), out.specular_gloss.at(0, y).data());
     return out;
   };
-  in.convert_floats = [planes, width, height] {
-    return metallic_floats((*planes)[0], (*planes)[1], (*planes)[2], (*planes)[3], width, height);
+  in.convert_floats = [planes] {
+    const auto& [base, alpha, metallic, gloss] = planes->planes;
+    return metallic_floats(base, alpha, metallic, gloss, planes->width, planes->height);
   };
   in.color[1] = PlaneSource{};
 }

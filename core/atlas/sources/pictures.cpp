@@ -3,10 +3,34 @@
 
 #include <array>
 
+#include "core/atlas/sources/metallic.h"
 #include "core/atlas/sources/strip_reader.h"
 #include "core/base/error.h"
 
 namespace etak {
+
+PairPlanes planes_of(const PackInput& m) {
+  if (m.metallic) return *m.metallic;
+  return {{m.color[0], m.grey[0], m.color[1], m.grey[1]}, false, m.width, m.height};
+}
+
+PairRows::PairRows(const PairPlanes& planes, int first) : planes_(&planes) {
+  rows_.reserve(files_.size());
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    const PlaneRows& rows = rows_.emplace_back(planes.planes[i], files_[i], first);
+    if (rows.width() != 0)
+      check_size(rows.source(), rows.width(), rows.height(), planes.width, planes.height);
+  }
+}
+
+void PairRows::read(std::uint8_t* diffuse_alpha, std::uint8_t* specular_gloss) {
+  std::array<const std::uint8_t*, 4> at{};
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] = rows_[i].width() != 0 ? rows_[i].read(1) : nullptr;
+  const auto texels = static_cast<std::size_t>(planes_->width);
+  interleave(diffuse_alpha, texels, at[0], rows_[0], at[1], rows_[1]);
+  interleave(specular_gloss, texels, at[2], rows_[2], at[3], rows_[3]);
+  if (planes_->metallic) convert_metallic(diffuse_alpha, specular_gloss, texels);
+}
 
 Image8 normals_of(const PackInput& m, const PixelBox& box) {
   if (m.load_normals) return part_of(m.load_normals(), box);

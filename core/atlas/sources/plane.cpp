@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/steady_file.h"
+#include "core/base/parallel.h"
 #include "core/image/linear_tables.h"
 #include "core/image/picture_bytes.h"
 
@@ -72,10 +73,36 @@ void check_size(const PlaneSource& source, int width, int height, int expected_w
                       ", as when it was looked at");
 }
 
-PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&source) {
+DecodedFiles decoded_files(std::vector<std::string> paths, const PictureDoor& door,
+                           const DecodedFiles& known) {
+  std::sort(paths.begin(), paths.end());
+  paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
+  DecodedFiles out;
+  for (const std::string& path : paths) out[path].stamp = stamp_of(path);
+  parallel_chunks(paths.size(), thread_count(0), 1, [&](std::size_t i, std::size_t, unsigned) {
+    DecodedFile& file = out.at(paths[i]);
+    const auto before = known.find(paths[i]);
+    file.picture = before != known.end() && before->second.stamp == file.stamp
+                       ? before->second.picture
+                       : std::make_shared<const Picture>(load_picture(paths[i], door));
+  });
+  return out;
+}
+
+std::shared_ptr<const Picture> PlaneSource::known() const {
+  if (decoded == nullptr) return nullptr;
+  const auto at = decoded->find(path);
+  return at != decoded->end() ? at->second.picture : nullptr;
+}
+
+PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory, int first) : source_(&source) {
   if (!source.is_image()) return;
-  memory.load(source.path);
-  if (auto png = PngReader::open(memory.view(), source.path))
+  auto known = source.known();
+  assert(known || first == 0);
+  if (!known) memory.load(source.path);
+  if (known)
+    file_.emplace(std::move(known), first);
+  else if (auto png = PngReader::open(memory.view(), source.path))
     file_.emplace(std::move(*png));
   else
     file_.emplace(load_picture(source.path, *source.door));

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/files/file_stamp.h"
 #include "core/image/load.h"
 
 namespace etak {
@@ -32,6 +34,18 @@ struct CodeCurve {
   std::vector<std::uint8_t> codes(int bits, std::vector<bool>* clamped = nullptr) const;
 };
 
+/// Picture files that were decoded already, by their paths, with the state that they had.
+struct DecodedFile {
+  FileStamp stamp;
+  std::shared_ptr<const Picture> picture;
+};
+using DecodedFiles = std::map<std::string, DecodedFile>;
+
+/// Decodes files, several at once.
+///   known   files that need not be decoded again where they have not changed
+DecodedFiles decoded_files(std::vector<std::string> paths, const PictureDoor& door,
+                           const DecodedFiles& known = {});
+
 /// The colour or the grey part of one texture of a material.
 struct PlaneSource {
   std::string path;                        // of the picture; empty: `constant` everywhere
@@ -42,11 +56,14 @@ struct PlaneSource {
   SpaceCurve space;                        // of a colour; then there is no curve
   std::string space_name;                  // "" for the usual
   std::array<std::uint8_t, 3> constant{};
-  std::array<double, 3> exact{};      // what `constant` is the code of: linear light, or a plain quantity
-  std::string layers = {};            // of an F0 that layers on a base make: their text
-  const PictureDoor* door = nullptr;  // for pictures that are not read in strips
+  std::array<double, 3> exact{};          // what `constant` is the code of: linear light, or a plain quantity
+  std::string layers = {};                // of an F0 that layers on a base make: their text
+  const PictureDoor* door = nullptr;      // for pictures that are not read in strips
+  const DecodedFiles* decoded = nullptr;  // is looked at first, when the plane is opened
 
   bool is_image() const { return !path.empty(); }
+  /// The decoded file; null where it is still to be read.
+  std::shared_ptr<const Picture> known() const;
 };
 
 /// Reads the header of a picture file: of PNG here, of other formats by `door`. Throws Error.
@@ -62,12 +79,13 @@ std::array<int, 3> picked_channels(const PlaneSource& source, int channels);
 /// Throws Error where a picture of `width` x `height` is not as large as it was when its header was read.
 void check_size(const PlaneSource& source, int width, int height, int expected_width, int expected_height);
 
-/// Reads one plane from the top row on, as converted 8-bit codes.
+/// Reads one plane row by row, as converted 8-bit codes.
 class PlaneRows {
  public:
   /// Opens the file; its bytes go into `memory`, which must outlive this object. Throws Error for a file that
   /// cannot be read, and for channels that it does not have.
-  PlaneRows(const PlaneSource& source, FileBytes& memory);
+  ///   first   the first row; other than 0 only for constants and for files that are known()
+  PlaneRows(const PlaneSource& source, FileBytes& memory, int first = 0);
 
   int width() const { return width_; }  // 0: a constant
   int height() const { return height_; }

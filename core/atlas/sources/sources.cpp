@@ -14,6 +14,7 @@
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
 #include "core/color/srgb.h"
+#include "core/image/mean_squares.h"
 #include "core/material/appearance.h"
 #include "core/material/f0.h"
 #include "core/material/find.h"
@@ -74,6 +75,7 @@ PlaneSource grey_plane(const RolePlace& at, const TextureSource& source,
   const auto& image = std::get<ImageSource>(source);
   out.path = image.path;
   out.door = &r.reading.door;
+  out.decoded = &r.reading.decoded;
   out.curve = std::move(curve);
   if (!image.channels.empty()) out.pick.fill(channel_at(image.channels[0])), out.picked = true;
   if (!image.space.empty() && image.space != "linear")
@@ -210,6 +212,7 @@ PlaneSource color_plane(const RolePlace& at, const TextureSource& source, const 
   const auto& image = std::get<ImageSource>(source);
   out.path = image.path;
   out.door = &r.reading.door;
+  out.decoded = &r.reading.decoded;
   const auto usual = r.reading.spaces.find(at.role);
   out.space_name = image.space.empty() && usual != r.reading.spaces.end() ? usual->second : image.space;
   set_space(at, r.reading.open_space, out);
@@ -376,39 +379,47 @@ PackInput input_of(const ManifestMaterial& m, const Resolving& r) {
   return in;
 }
 
-// The texels of a picture by itself. Throws Error for those out of range.
-Image floats_of(const RolePlace& at, const ImageSource& source, double most, const PictureDoor& door) {
+// The texels of a picture by itself, at most `side` on a side. Throws Error for those out of range.
+Image floats_of(const RolePlace& at, const ImageSource& source, double most, const PictureReading& reading,
+                int side) {
   const AtlasManifest manifest;
   const MaterialLibrary library;
-  const PictureReading reading{std::nullopt, door, {}, {}};
   std::vector<std::string> remarks;
   const Resolving resolving{manifest, library, reading, manifest.gloss, remarks};
   const PlaneSource plane =
       at.role == "emission" ? color_plane(at, source, resolving) : grey_plane(at, source, nullptr, resolving);
-  const PictureHeader header = picture_header(source.path, door);
-  Image out = plane_floats(plane, header.width, header.height);
-  for (const float each : out.values)
-    if (!(each >= 0 && double{each} <= most))
-      throw Error::at(source.path, "holds " + number(double{each}, 6) + " as " + at.role,
-                      most == 1 ? "0 to 1" : "at least 0");
-  return out;
+  const PictureHeader header = picture_header(source.path, reading.door);
+  const PlaneNumbers numbers(plane, header.width, header.height);
+  return mean_squares(header.width, header.height, numbers.channels(), side, [&](int) {
+    return [&, row = std::vector<float>(static_cast<std::size_t>(header.width * numbers.channels()))](
+               int y) mutable {
+      numbers.read(y, row.data());
+      for (const float each : row)
+        if (!(each >= 0 && double{each} <= most))
+          throw Error::at(source.path, "holds " + number(double{each}, 6) + " as " + at.role,
+                          most == 1 ? "0 to 1" : "at least 0");
+      return row.data();
+    };
+  });
 }
 
 }  // namespace
 
-Image emission_floats(const ImageSource& source, const std::string& material, const PictureDoor& door) {
+Image emission_floats(const ImageSource& source, const std::string& material, const PictureReading& reading,
+                      int most) {
   ManifestMaterial m;
   m.name = m.place = material;
   ImageSource spaced = source;
-  if (spaced.space.empty() && picture_header(source.path, door).colour_space == "linear")
+  if (spaced.space.empty() && picture_header(source.path, reading.door).colour_space == "linear")
     spaced.space = "linear";
-  return floats_of({m, "emission"}, spaced, std::numeric_limits<float>::max(), door);
+  return floats_of({m, "emission"}, spaced, std::numeric_limits<float>::max(), reading, most);
 }
 
-Image occlusion_floats(const ImageSource& source, const std::string& material, const PictureDoor& door) {
+Image occlusion_floats(const ImageSource& source, const std::string& material, const PictureReading& reading,
+                       int most) {
   ManifestMaterial m;
   m.name = m.place = material;
-  return floats_of({m, "occlusion"}, source, 1, door);
+  return floats_of({m, "occlusion"}, source, 1, reading, most);
 }
 
 PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,

@@ -22,6 +22,13 @@ struct MaskedSource;  // core/atlas/sources/masked.h
 /// What a sampler does at the edges of a picture, by axis.
 using WrapBoth = std::array<Wrap, 2>;
 
+/// The pictures of both textures: colours, alpha and gloss; in place of F0 metalness where the first is a base colour.
+struct PairPlanes {
+  std::array<PlaneSource, 4> planes;
+  bool metallic = false;
+  int width = 1, height = 1;
+};
+
 /// A material as the packer reads it: two planes a texture that can be read in strips, or a function that
 /// makes the whole pair.
 struct PackInput {
@@ -35,6 +42,7 @@ struct PackInput {
   std::function<MaterialPair(std::vector<std::string>& remarks)> convert;  // set: in place of the planes
   std::function<FloatPair()> convert_floats;                               // the same for floats.h
   std::shared_ptr<const MaskedSource> masked;                              // null: no mask
+  std::shared_ptr<const PairPlanes> metallic;                              // null: not made of a base colour
   MaterialFacts facts;
   bool streamed = true;                     // every picture can be read in strips
   WrapBoth wrap{Wrap::clamp, Wrap::clamp};  // what lies beyond the picture's edges
@@ -76,11 +84,13 @@ using SpaceOpener = std::function<SpaceCurve(const std::string& name)>;
 ///   door         to pictures other than PNG
 ///   open_space   for spaces other than srgb, linear and power-2.2; empty: there are no others
 ///   spaces       of pictures that name none, by role
+///   decoded      files that need not be read again; may be filled after the inputs were made
 struct PictureReading {
   std::optional<GlossForm> gloss;
   PictureDoor door;
   SpaceOpener open_space;
   std::map<std::string, std::string> spaces;
+  DecodedFiles decoded = {};
 };
 
 /// Turns manifest entries into inputs: sizes from the headers, constants and library materials into codes.
@@ -92,8 +102,11 @@ PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary
 /// The picture of a material's emission (three channels of at least 0, linear light; where neither `source` nor the
 /// file names a space, codes are sRGB) or of its occlusion (one channel, 0 to 1), which pages have no room for.
 ///   material   its name, for messages
+///   most       a larger picture is made smaller by means over squares of texels until no side is above this
 /// Throws Error as resolve_manifest() and for texels out of range.
-Image emission_floats(const ImageSource& source, const std::string& material, const PictureDoor& door);
-Image occlusion_floats(const ImageSource& source, const std::string& material, const PictureDoor& door);
+Image emission_floats(const ImageSource& source, const std::string& material, const PictureReading& reading,
+                      int most = max_image_side);
+Image occlusion_floats(const ImageSource& source, const std::string& material, const PictureReading& reading,
+                       int most = max_image_side);
 
 }  // namespace etak

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/color/srgb.h"
+#include "core/image/files/png.h"
 #include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
 #include "tests/core/atlas/pack_support.h"
@@ -27,6 +28,10 @@ ProjectMaterial pictured(const TempFolder& folder, unsigned textured) {
     out.texture(channel) = ImageSource{file, "", ""};
   }
   return out;
+}
+
+PictureReading reading() {
+  return {std::nullopt, picture_door(), {}, {}};
 }
 
 // Leaves a file as old and as large as it is, but no picture any more: whoever reads it finds out.
@@ -137,13 +142,12 @@ TEST_CASE(
   };
   Image picture(2, 1, 3, 0.5F);
   picture.values[4] = 30;
-  CHECK(emission_floats(file("e.exr", picture), "m", picture_door()) == picture);
+  CHECK(emission_floats(file("e.exr", picture), "m", reading()) == picture);
   const auto refused = [&](float value, bool occlusion) {
     picture.values[3] = value;
     const ImageSource source = file("bad.exr", picture);
     const std::string message = error_of([&] {
-      (void)(occlusion ? occlusion_floats(source, "m", picture_door())
-                       : emission_floats(source, "m", picture_door()));
+      (void)(occlusion ? occlusion_floats(source, "m", reading()) : emission_floats(source, "m", reading()));
     });
     return message.substr(message.rfind('/') + 1);
   };
@@ -152,12 +156,12 @@ TEST_CASE(
   CHECK(refused(1.5F, true) == "bad.exr: holds 1.5 as occlusion; expected 0 to 1");
   // Codes are sRGB, and grey ones stand for three.
   save_png(folder.file("grey.png"), Image8(1, 1, 1, 188));
-  const Image grey = emission_floats({folder.file("grey.png"), "", ""}, "m", picture_door());
+  const Image grey = emission_floats({folder.file("grey.png"), "", ""}, "m", reading());
   CHECK(grey.channels == 3);
   CHECK(double{grey.values[2]} == Approx(srgb_decode(188 / 255.0)));
-  CHECK(double{emission_floats({folder.file("grey.png"), "", "linear"}, "m", picture_door()).values[0]} ==
+  CHECK(double{emission_floats({folder.file("grey.png"), "", "linear"}, "m", reading()).values[0]} ==
         Approx(188 / 255.0));
-  CHECK(double{occlusion_floats({folder.file("grey.png"), "", ""}, "m", picture_door()).values[0]} ==
+  CHECK(double{occlusion_floats({folder.file("grey.png"), "", ""}, "m", reading()).values[0]} ==
         Approx(188 / 255.0));
 }
 
@@ -237,4 +241,75 @@ TEST_CASE("a normal map of two channels gets its third component from them") {
   const Image normal = normal_picture(m, picture_door(), 4);
   CHECK(double{normal.at(1, 1)[0]} == Approx(0.6));
   CHECK(double{normal.at(1, 1)[2]} == Approx(0.8).epsilon(1e-4));
+}
+
+TEST_CASE("codes of base colour and metalness become those of the formulas, all of them") {
+  const TempFolder folder;
+  Image8 base(256, 256, 3), metal(256, 256, 1);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      base.at(x, y)[0] = base.at(x, y)[1] = base.at(x, y)[2] = static_cast<std::uint8_t>(x);
+      metal.at(x, y)[0] = static_cast<std::uint8_t>(y);
+    }
+  save_png(folder.file("base.png"), base);
+  save_png(folder.file("metal.png"), metal);
+  ProjectMaterial m;
+  m.name = "m";
+  set_texture(m, Channel::base_color, ImageSource{folder.file("base.png"), "", ""});
+  set_texture(m, Channel::metallic, ImageSource{folder.file("metal.png"), "", ""});
+  const MaterialPair pair = pictures_of(m, built_in_library(), {});
+  std::size_t wrong = 0;
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      const double c = srgb_decode(x / 255.0), share = y / 255.0;
+      wrong += pair.diffuse_alpha.at(x, y)[1] != srgb_u8(c * (1 - share));
+      wrong += pair.specular_gloss.at(x, y)[2] != srgb_u8(0.04 + (c - 0.04) * share);
+    }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("textures for the viewport are the same from files that are decoded once as from the whole pair") {
+  const TempFolder folder;
+  ProjectMaterial m;
+  m.name = "m";
+  m.green_down = true;
+  const auto set = [&](Channel channel, const char* file, const char* channels) {
+    set_texture(m, channel, ImageSource{folder.file(file), channels, ""});
+  };
+  // Of a size that squares of texels do not divide, and in more bands than there are threads.
+  save_png(folder.file("base.png"), noise(301, 517, 4, 1));
+  save_png(folder.file("orm.png"), noise(301, 517, 3, 2));
+  Image16 normal(77, 130, 3);
+  for (std::size_t i = 0; i < normal.values.size(); ++i)
+    normal.values[i] = static_cast<std::uint16_t>(7919 * i % 65536);
+  spit(folder.file("normal.png"), png_bytes(normal, {}));
+  set(Channel::base_color, "base.png", "");
+  set(Channel::alpha, "base.png", "a");
+  set(Channel::metallic, "orm.png", "b");
+  set(Channel::roughness, "orm.png", "g");
+  set(Channel::occlusion, "orm.png", "r");
+  set(Channel::normal, "normal.png", "");
+  DecodedFiles known = decoded_files({folder.file("base.png"), folder.file("orm.png")}, {});
+  for (const int side : {600, 128, 50}) {
+    const SurfaceTextures whole = surface_textures(m, pictures_of(m, built_in_library(), {}), {}, side);
+    for (const DecodedFiles& given : {DecodedFiles(), known}) {
+      const SurfacePicturesRead read = read_surface_textures(m, built_in_library(), {}, side, 0, given);
+      CHECK((read.width == 301 && read.height == 517));
+      CHECK(read.textures.body == whole.body);
+      CHECK(read.textures.gloss == whole.gloss);
+      CHECK(read.textures.emission == whole.emission);
+      CHECK(read.textures.normal == whole.normal);
+      CHECK((read.textures.has.opacity && read.textures.has.occlusion && read.textures.has.normal));
+      CHECK(std::max(read.textures.body.width, read.textures.body.height) <= side);
+    }
+  }
+  // Components of 16 bits are not rounded to 8.
+  const Image whole = surface_textures(m, pictures_of(m, built_in_library(), {}), {}, 600).normal;
+  CHECK(double{whole.at(5, 0)[0]} == Approx(2 * (7919 * 15 % 65536) / 65535.0 - 1));
+  // A file that has changed is decoded again.
+  save_png(folder.file("base.png"), noise(301, 517, 4, 5));
+  const auto path = std::filesystem::path(folder.file("base.png"));
+  std::filesystem::last_write_time(path, std::filesystem::last_write_time(path) + std::chrono::seconds(9));
+  CHECK(read_surface_textures(m, built_in_library(), {}, 50, 0, known).textures.body ==
+        surface_textures(m, pictures_of(m, built_in_library(), {}), {}, 50).body);
 }
