@@ -35,6 +35,22 @@ double pow7_ratio(double chroma) {
   return std::sqrt(c7 / (c7 + 6103515625.0));  // 25^7
 }
 
+// By what differences of lightness, chroma and hue are divided, and how much the last two turn into each other.
+struct Scales {
+  double l, c, h, turn;
+};
+Scales scales(double mean_l, double mean_c2, double mean_h) {
+  const double t = 1 - 0.17 * cos_degrees(mean_h - 30) + 0.24 * cos_degrees(2 * mean_h) +
+                   0.32 * cos_degrees(3 * mean_h + 6) - 0.20 * cos_degrees(4 * mean_h - 63);
+  const double turn = 30 * math::exp(-math::pow((mean_h - 275) / 25, 2));
+  const double l50 = (mean_l - 50) * (mean_l - 50);
+  const double sl = 1 + 0.015 * l50 / std::sqrt(20 + l50);
+  const double sc = 1 + 0.045 * mean_c2;
+  const double sh = 1 + 0.015 * mean_c2 * t;
+  const double rt = -2 * pow7_ratio(mean_c2) * math::sin(2 * turn / degrees);
+  return {sl, sc, sh, rt};
+}
+
 }  // namespace
 
 Lab to_lab(const Xyz& color, const Xyz& white) {
@@ -71,16 +87,25 @@ double delta_e2000(const Lab& p, const Lab& q) {
   const double dhue = 2 * std::sqrt(c1 * c2) * math::sin(dh / 2 / degrees);
   const double mean_l = (p.l + q.l) / 2, mean_c2 = (c1 + c2) / 2;
 
-  const double t = 1 - 0.17 * cos_degrees(mean_h - 30) + 0.24 * cos_degrees(2 * mean_h) +
-                   0.32 * cos_degrees(3 * mean_h + 6) - 0.20 * cos_degrees(4 * mean_h - 63);
-  const double turn = 30 * math::exp(-math::pow((mean_h - 275) / 25, 2));
-  const double l50 = (mean_l - 50) * (mean_l - 50);
-  const double sl = 1 + 0.015 * l50 / std::sqrt(20 + l50);
-  const double sc = 1 + 0.045 * mean_c2;
-  const double sh = 1 + 0.015 * mean_c2 * t;
-  const double rt = -2 * pow7_ratio(mean_c2) * math::sin(2 * turn / degrees);
-  const double l = dl / sl, c = dc / sc, h = dhue / sh;
-  return std::sqrt(l * l + c * c + h * h + rt * c * h);
+  const Scales of = scales(mean_l, mean_c2, mean_h);
+  const double l = dl / of.l, c = dc / of.c, h = dhue / of.h;
+  return std::sqrt(l * l + c * c + h * h + of.turn * c * h);
+}
+
+Mat3 delta_e2000_around(const Lab& at) {
+  const double stretch = 1 + 0.5 * (1 - pow7_ratio(math::hypot(at.a, at.b)));
+  const double a = stretch * at.a, chroma = math::hypot(a, at.b);
+  const Scales of = scales(at.l, chroma, hue_degrees(a, at.b));
+  // Along the chroma and along the hue, in a and b.
+  const double along = chroma > 0 ? a / chroma : 1, across = chroma > 0 ? at.b / chroma : 0;
+  const Vec3 c{0, stretch * along / of.c, across / of.c}, h{0, -stretch * across / of.h, along / of.h};
+  const auto sum = [&](double ca, double cb, double ha, double hb) {
+    return ca * cb + ha * hb + of.turn * (ca * hb + cb * ha) / 2;
+  };
+  const double both = sum(c[1], c[2], h[1], h[2]);
+  return {{{1 / (of.l * of.l), 0, 0},
+           {0, sum(c[1], c[1], h[1], h[1]), both},
+           {0, both, sum(c[2], c[2], h[2], h[2])}}};
 }
 
 }  // namespace etak

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/color/rgb.h"
+#include "core/math/mat3.h"
 
 namespace etak {
 
@@ -19,5 +20,9 @@ Lab to_lab(const LinearRgb& srgb);
 /// CIEDE2000 with kL = kC = kH = 1.
 ///   from   Sharma, Wu and Dalal 2005, "The CIEDE2000 Color-Difference Formula", Color Res. Appl. 30(1)
 double delta_e2000(const Lab& a, const Lab& b);
+
+/// CIEDE2000 of small differences: the square of one is difference * (matrix * difference), in L, a and b.
+///   from   the same, with what its means are at one colour, where the chroma's own stretch does not change
+Mat3 delta_e2000_around(const Lab& at);
 
 }  // namespace etak

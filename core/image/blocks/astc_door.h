@@ -21,6 +21,7 @@ inline constexpr std::size_t most_block_texels = 64;
 ///   counting   bit i: something reads texel i. Where none does, all count. Encoders may let all texels count alike
 ///   shares     of 255, how much the errors of a texel that counts do; encoders may take them alike
 ///   weights    how much squared errors of its channels count
+///   pairs      and products of two of them; ASTC goes without
 struct AnyBlock {
   std::array<std::array<std::uint8_t, 4>, most_block_texels> texels{};
   std::uint64_t counting = 0;
@@ -30,6 +31,7 @@ struct AnyBlock {
     return out;
   }();
   ChannelWeights weights{1, 1, 1, 1};
+  PairWeights pairs{};
 };
 
 /// How blocks of ASTC are compressed.

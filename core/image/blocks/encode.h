@@ -13,15 +13,21 @@ namespace etak {
 /// How much squared errors of red, green, blue and the fourth channel count, each 0 or more.
 using ChannelWeights = std::array<float, 4>;
 
+/// How much the products of the errors of red and green, red and blue, green and blue count, twice: an error of all three
+/// weighs less than alone where what they change makes up for one another. No error may count less than nothing.
+using PairWeights = std::array<float, 3>;
+
 /// A block of 4 x 4 texels to compress.
 ///   texels    RGBA codes, row by row from the top
 ///   shares    how much the error of each texel counts, 0 or more; 0 for texels that nothing reads. All 0 counts as
 ///             all 1
 ///   weights   of this block, by which those of BlockEncoding are multiplied
+///   pairs     the same, by the roots of the products of two of those; of BC7 alone
 struct BlockSource {
   BlockTexels texels{};
   std::array<float, 16> shares{};
   ChannelWeights weights{1, 1, 1, 1};
+  PairWeights pairs{};
 };
 
 /// How blocks are compressed.
@@ -38,7 +44,8 @@ inline constexpr int most_block_effort = 4;
 /// Compresses blocks. The bytes of a block depend on that block and `how` alone, and are the same on every processor.
 ///   bytes    block_bytes of each block, in their order
 ///   errors   null, or of each block the sum over its texels of share * weight * squared difference in codes between
-///            the texels and the exact values of the block; of BC7 these are decode_block()'s codes
+///            the texels and the exact values of the block; of BC7 these are decode_block()'s codes, and pairs are added
+///            but for those of a channel that is kept apart
 void encode_blocks(std::span<const BlockSource> blocks, const BlockEncoding& how, std::uint8_t* bytes,
                    float* errors = nullptr);
 

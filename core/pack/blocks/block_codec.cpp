@@ -23,6 +23,7 @@ BlockSource own_source(const AnyBlock& block, BlockCode code) {
   for (std::size_t i = 0; i < out.shares.size(); ++i)
     out.shares[i] = (block.counting >> i & 1) != 0 ? static_cast<float>(block.shares[i]) / 255 : 0;
   out.weights = block.weights;
+  out.pairs = block.pairs;
   return out;
 }
 

@@ -9,7 +9,6 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text/text.h"
-#include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/math/functions.h"
 
@@ -101,9 +100,6 @@ BlockMeasure::BlockMeasure(Texture texture, GlossForm gloss, const BlockBudget& 
 double BlockMeasure::colour(const std::array<std::uint8_t, 4>& from,
                             const std::array<std::uint8_t, 4>& to) const {
   if (std::equal(from.begin(), from.begin() + 3, to.begin())) return 0;
-  const auto lab = [&](const std::array<std::uint8_t, 4>& code) {
-    return to_lab(LinearRgb{linear_[code[0]], linear_[code[1]], linear_[code[2]]});
-  };
   return delta_e2000(lab(from), lab(to));
 }
 
@@ -113,7 +109,7 @@ double BlockMeasure::fourth(std::uint8_t from, std::uint8_t to, int cutoff) cons
   return std::abs(from - to) / 2.55;
 }
 
-ChannelWeights BlockMeasure::weights(const AnyBlock& block) const {
+void BlockMeasure::weigh(AnyBlock& block) const {
   std::array<int, 4> sum{};
   int count = 0;
   for (std::size_t i = 0; i < block.texels.size(); ++i) {
@@ -125,18 +121,29 @@ ChannelWeights BlockMeasure::weights(const AnyBlock& block) const {
   for (std::size_t c = 0; c < 4 && count > 0; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / count);
   // What a code changes is looked up around the mean.
   constexpr double alpha_percent = 1 / 2.55, least_delta_e = 0.05, most_gloss_percent = 30;
-  constexpr int step = 8;
-  ChannelWeights out{};
-  const auto squared = [](double x) { return static_cast<float>(x * x); };
+  constexpr int step = 3;
+  const Lab at = lab(mean);
+  std::array<Vec3, 3> change{};
   for (std::size_t c = 0; c < 3; ++c) {
+    const int codes = mean[c] < 128 ? step : -step;
     std::array<std::uint8_t, 4> beside = mean;
-    beside[c] = static_cast<std::uint8_t>(mean[c] < 128 ? mean[c] + step : mean[c] - step);
-    out[c] = squared(std::max(least_delta_e, colour(mean, beside) / step) / colour_budget_);
+    beside[c] = static_cast<std::uint8_t>(mean[c] + codes);
+    const Lab to = lab(beside);
+    change[c] = {(to.l - at.l) / codes, (to.a - at.a) / codes, (to.b - at.b) / codes};
+  }
+  const Mat3 metric = delta_e2000_around(at);
+  const double budgets = colour_budget_ * colour_budget_;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Vec3 by = metric * change[a];
+    block.weights[a] =
+        static_cast<float>(std::max(least_delta_e * least_delta_e, dot(by, change[a])) / budgets);
+    for (std::size_t b = a + 1; b < 3; ++b)
+      block.pairs[a + b - 1] = static_cast<float>(dot(by, change[b]) / budgets);
   }
   const auto next = static_cast<std::uint8_t>(mean[3] < 255 ? mean[3] + 1 : 254);
-  out[3] = squared((is_gloss_ ? std::min(most_gloss_percent, fourth(mean[3], next, -1)) : alpha_percent) /
-                   fourth_budget_);
-  return out;
+  const double fourth_budgets =
+      (is_gloss_ ? std::min(most_gloss_percent, fourth(mean[3], next, -1)) : alpha_percent) / fourth_budget_;
+  block.weights[3] = static_cast<float>(fourth_budgets * fourth_budgets);
 }
 
 }  // namespace etak

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/color/delta_e.h"
 #include "core/color/gloss.h"
 #include "core/image/blocks/astc_door.h"
 #include "core/image/material_pair.h"
@@ -47,10 +48,15 @@ class BlockMeasure {
 
   double colour_budget() const { return colour_budget_; }
   double fourth_budget() const { return fourth_budget_; }
-  /// Weights of a block's channels: the squares of how many budgets one code is, at the mean of its texels that count.
-  ChannelWeights weights(const AnyBlock& block) const;
+  /// Sets the weights of a block's channels and of their pairs: its errors are then squares of how many budgets they are, for
+  /// small ones around the mean of its texels that count.
+  void weigh(AnyBlock& block) const;
 
  private:
+  Lab lab(const std::array<std::uint8_t, 4>& code) const {
+    return to_lab(LinearRgb{linear_[code[0]], linear_[code[1]], linear_[code[2]]});
+  }
+
   bool is_gloss_;
   double colour_budget_, fourth_budget_;
   std::array<double, 256> linear_{}, exponent_log2_{};

@@ -207,7 +207,7 @@ class LevelInBlocks {
 
   // The same with the weights of its channels.
   AnyBlock weighted(AnyBlock block) const {
-    block.weights = measure_.weights(block);
+    measure_.weigh(block);
     return block;
   }
 

@@ -58,7 +58,7 @@ std::vector<AnyBlock> blocks_of(const Image8& page, const BlockFormat& format, c
         std::copy_n(texel.data(), 4, block.texels[static_cast<std::size_t>(i)].data());
         block.counting |= std::uint64_t{1} << i;
       }
-      if (!alike) block.weights = measure.weights(block);
+      if (!alike) measure.weigh(block);
     }
   return out;
 }

@@ -74,6 +74,22 @@ TEST_CASE("the difference is symmetric, never negative, and zero only for equal 
   CHECK(delta_e2000({}, {}) == 0);
 }
 
+TEST_CASE("around a colour, the squares of small differences are those of their matrix") {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> l(0, 100), ab(-100, 100), off(-0.01, 0.01);
+  for (int i = 0; i < 2000; ++i) {
+    const double size = i % 4 == 0 ? 0.2 : 1;  // nearly grey, too
+    const Lab at{l(random), size * ab(random), size * ab(random)};
+    const Vec3 way{off(random), off(random), off(random)};
+    const Lab low{at.l - way[0] / 2, at.a - way[1] / 2, at.b - way[2] / 2},
+        high{at.l + way[0] / 2, at.a + way[1] / 2, at.b + way[2] / 2};
+    const Mat3 metric = delta_e2000_around(at);
+    REQUIRE(std::sqrt(dot(way, metric * way)) == Approx(delta_e2000(low, high)).epsilon(2e-3));
+    REQUIRE(metric[1][2] == metric[2][1]);
+  }
+  CHECK(delta_e2000_around({50, 0, 0}) == diagonal({1, 2.25, 1}));
+}
+
 TEST_CASE("white is L* 100 and grey has no chroma") {
   const Xyz white{0.95, 1, 1.09};
   const Lab lab = to_lab(white, white);
