@@ -13,6 +13,7 @@
 #include "core/image/files/containers.h"
 #include "core/pack/blocks/compress_page.h"
 #include "core/pack/blocks/page_format.h"
+#include "core/pack/blocks/shaded.h"
 #include "core/pack/identity.h"
 #include "core/pack/pack.h"
 #include "core/pack/progress.h"
@@ -71,25 +72,39 @@ CompressedTexture blocks_of(const BlockJob& job, bool apart) {
 
 void write_files(const WholePage& page, const PackOptions& options, const PackSource& source,
                  const PackStages& stages, MadePages& to) {
-  const TexelsShown shown = options.output.compress.format != nullptr
-                                ? texels_shown(source, page.decision, page.number)
-                                : TexelsShown();
+  const std::array<bool, 2>& has = page.decision.plan.pages[static_cast<std::size_t>(page.number)].has;
+  const CompressOptions& compress = options.output.compress;
+  const TexelsShown shown =
+      compress.format != nullptr ? texels_shown(source, page.decision, page.number) : TexelsShown();
+  const auto job_of = [&](Texture texture) {
+    return BlockJob{page.decision,
+                    source.inputs.materials,
+                    page.number,
+                    texture,
+                    page.pixels,
+                    shown,
+                    source.inputs.gloss,
+                    compress,
+                    options.input.pictures.door.astc,
+                    options.run.threads};
+  };
+  std::array<CompressedTexture, 2> made;
   for (const Texture texture : both_textures) {
     stages.stop_if_cancelled();
-    if (!page.decision.plan.pages[static_cast<std::size_t>(page.number)].has[index_of(texture)]) continue;
-    if (options.output.compress.format == nullptr) {
-      write_page(*to.folder, page.number, texture, page.pixels, page.options);
-      continue;
-    }
-    const CompressedTexture made = blocks_of(
-        {page.decision, source.inputs.materials, page.number, texture, page.pixels, shown,
-         source.inputs.gloss, options.output.compress, options.input.pictures.door.astc, options.run.threads},
-        source.one_page != nullptr);
-    to.blocks.insert(to.blocks.end(), made.report.begin(), made.report.end());
+    if (!has[index_of(texture)]) continue;
+    CompressedTexture& its = made[index_of(texture)];
     WriteOptions write = page.options;
-    if (!made.blocks && write.zstd_level == 0 && has_zstd()) write.zstd_level = zstd_of_fallback;
-    write_page(*to.folder, page.number, texture, page.pixels, write, made.blocks ? &*made.blocks : nullptr);
+    if (compress.format != nullptr) {
+      its = blocks_of(job_of(texture), source.one_page != nullptr);
+      if (!its.blocks && write.zstd_level == 0 && has_zstd()) write.zstd_level = zstd_of_fallback;
+    }
+    write_page(*to.folder, page.number, texture, page.pixels, write, its.blocks ? &*its.blocks : nullptr);
   }
+  // Parts that lie apart are not those of one material.
+  if (compress.format != nullptr && source.one_page == nullptr)
+    tell_shaded(job_of(Texture::diffuse_alpha), made);
+  for (const CompressedTexture& each : made)
+    to.blocks.insert(to.blocks.end(), each.report.begin(), each.report.end());
   if (source.scene) to.scene_pictures.merge(write_page(*to.folder, page, *source.scene, to.scene));
 }
 

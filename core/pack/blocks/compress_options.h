@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,12 +41,19 @@ struct CompressOptions {
 /// and what fits) and astc (4x4).
 CompressOptions compress_word(std::string_view word);
 
+/// How far a material looks from what it was, CIEDE2000 under light (core/pack/blocks/shaded.h).
+struct BlockShaded {
+  double p99 = 0, largest = 0;
+};
+
 /// What compression does to the texels of a material on one level of a texture, in the units of BlockBudget. Materials
 /// that read the same texels are told by the name of the first.
 struct BlockMaterial {
+  std::size_t number = 0;  // among those of the input
   std::string id;
   double colour_p99 = 0, colour_largest = 0, fourth_p99 = 0, fourth_largest = 0;
-  bool met = true;  // the budget
+  bool met = true;                    // the budget
+  std::optional<BlockShaded> shaded;  // with both textures, on level 0 of those in blocks
 };
 
 /// One level of a texture that was compressed, or was tried to be.

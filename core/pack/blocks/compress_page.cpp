@@ -295,8 +295,14 @@ BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int numb
   for (std::size_t m = 0; m < spreads.size(); ++m) {
     if (!spreads[m]) continue;
     const auto& [colour, fourth] = *spreads[m];
-    out.materials.push_back({job.materials[m].name, colour.percentile_99(), colour.largest(),
-                             fourth.percentile_99(), fourth.largest(), level.met(m, *spreads[m])});
+    out.materials.push_back({m,
+                             job.materials[m].name,
+                             colour.percentile_99(),
+                             colour.largest(),
+                             fourth.percentile_99(),
+                             fourth.largest(),
+                             level.met(m, *spreads[m]),
+                             {}});
   }
   bytes = std::move(level.bytes());
   return out;

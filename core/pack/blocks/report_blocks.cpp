@@ -37,7 +37,26 @@ std::string material_json(const BlockLevel& level, const BlockMaterial& m) {
                     fourth = is_diffuse(level) ? "alpha" : "gloss";
   return "{\"id\": " + json(m.id) + ", \"" + colour + "_p99\": " + json(m.colour_p99) + ", \"" + colour +
          "_max\": " + json(m.colour_largest) + ", \"" + fourth + "_p99\": " + json(m.fourth_p99) + ", \"" +
-         fourth + "_max\": " + json(m.fourth_largest) + ", \"met\": " + json(m.met) + "}";
+         fourth + "_max\": " + json(m.fourth_largest) +
+         (m.shaded ? ", \"shaded_de_p99\": " + json(m.shaded->p99) +
+                         ", \"shaded_de_max\": " + json(m.shaded->largest)
+                   : "") +
+         ", \"met\": " + json(m.met) + "}";
+}
+
+// What the worst material looks like under light.
+std::string shaded_text(const std::vector<BlockLevel>& levels) {
+  const BlockMaterial *usual = nullptr, *most = nullptr;
+  for (const BlockLevel& level : levels)
+    for (const BlockMaterial& m : level.materials) {
+      if (!m.shaded) continue;
+      if (usual == nullptr || m.shaded->p99 > usual->shaded->p99) usual = &m;
+      if (most == nullptr || m.shaded->largest > most->shaded->largest) most = &m;
+    }
+  if (usual == nullptr) return {};
+  return "shaded under three lights from five angles, materials change by dE " +
+         number(usual->shaded->p99, 3) + " at most (99 % of texels, " + line_text(usual->id) +
+         "), no texel by more than " + number(most->shaded->largest, 3) + " (" + line_text(most->id) + ")\n";
 }
 
 }  // namespace
@@ -65,7 +84,7 @@ std::string blocks_text(const std::vector<BlockLevel>& levels) {
              " blocks with texels of two regions";
     out += '\n' + missed;
   }
-  return out.empty() ? out : '\n' + out;
+  return out.empty() ? out : '\n' + out + shaded_text(levels);
 }
 
 std::string block_level_json(const BlockLevel& level, bool seconds) {

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <numbers>
 #include <tuple>
 
+#include "core/brdf/models.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/image/astc_codec.h"
 #include "core/image/files/containers.h"
 #include "core/image/image_io.h"
+#include "core/light/lights.h"
 #include "core/pack/blocks/budget.h"
 #include "core/validate/files/check.h"
 #include "core/validate/files/layout_targets.h"
@@ -405,6 +408,60 @@ TEST_CASE("texels that no triangle of a scene reads weigh nothing in its blocks"
   CHECK(level.materials[0].colour_largest >= read - 1e-9);
   CHECK(level.materials[0].colour_largest < 3);
   CHECK(all > 10);
+}
+
+TEST_CASE("what blocks change of a material under light is told with both textures") {
+  const TempFolder folder;
+  std::string entry = blocks_material(folder, "a", 32, 32, 1, 12);
+  entry.insert(entry.size() - 1, R"(, "alpha_mode": "opaque")");
+  const PackResult result = pack_text(folder, manifest_of({entry}), in_blocks("bc7", {"png", "ktx2"}));
+  const AtlasRect rect = rect_named(packed_layout(folder), "a");
+  using Look = std::array<std::uint8_t, 8>;
+  const auto look = [](const Image8& diffuse, const Image8& specular, int x, int y) {
+    Look out{};
+    std::copy_n(diffuse.at(x, y).data(), 4, out.data());
+    std::copy_n(specular.at(x, y).data(), 4, out.data() + 4);
+    return out;
+  };
+  const auto lab = [](const Look& codes, double degrees) {
+    const double tilt = degrees * std::numbers::pi / 180;
+    Vec3 sum{};
+    for (const Light& light : default_lights().lights) {
+      const Vec3 to{-light.direction[0], -light.direction[1], std::abs(light.direction[2])};
+      const Vec3 key = default_lights().lights[0].direction;
+      const double across = std::sin(tilt) / std::hypot(key[0], key[1]);
+      const Directions ways{to[0], to[1], to[2], across * key[0], across * key[1], std::cos(tilt)};
+      std::array<double, 4> values{};
+      for (std::size_t c = 0; c < 3; ++c) values[c] = srgb_decode(codes[4 + c] / 255.0);
+      values[3] = codes[7] / 255.0;
+      std::array<double, 3> lobe{};
+      find_model(default_specular)->f64(ways, values.data(), lobe.data());
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += light.intensity * light.color[c] * to[2] *
+                  (srgb_decode(codes[c] / 255.0) / std::numbers::pi + lobe[c]);
+    }
+    return to_lab(LinearRgb{std::min(1.0, sum[0]), std::min(1.0, sum[1]), std::min(1.0, sum[2])});
+  };
+  const Image8 diffuse = load_png(folder.file("out/page0_diffuse_alpha.png")),
+               specular = load_png(folder.file("out/page0_specular_gloss.png"));
+  const TextureFile d = ktx2_page(folder, "diffuse_alpha"), s = ktx2_page(folder, "specular_gloss");
+  std::vector<double> differences;
+  for (int y = rect.y; y < rect.y + rect.height; ++y)
+    for (int x = rect.x; x < rect.x + rect.width; ++x)
+      for (const double degrees : {0.0, 20.0, 40.0, 60.0, 75.0})
+        differences.push_back(delta_e2000(lab(look(diffuse, specular, x, y), degrees),
+                                          lab(look(d.levels[0], s.levels[0], x, y), degrees)));
+  int told = 0;
+  for (const BlockLevel& level : result.blocks) {
+    if (level.materials.empty()) continue;
+    CHECK(level.materials[0].shaded.has_value() == (level.level == 0));
+    if (!level.materials[0].shaded) continue;
+    ++told;
+    CHECK(level.materials[0].shaded->largest == Approx(*std::ranges::max_element(differences)).margin(1e-9));
+    CHECK(level.materials[0].shaded->p99 == Approx(percentile_99_of(differences)).margin(0.0101));
+    CHECK(level.materials[0].shaded->p99 > 0.1);
+  }
+  CHECK(told == 2);
 }
 
 TEST_CASE("a budget is a multiple of the usual one, or names its parts") {
