@@ -8,7 +8,7 @@
 namespace etak::editor {
 namespace {
 
-constexpr int renew_ms = 100, tell_ms = 200;
+constexpr int renew_ms = 100, tell_ms = 100;
 
 // Calls `use` with the path of each picture of a material.
 template <class Use>

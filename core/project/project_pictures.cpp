@@ -115,6 +115,15 @@ void KeptPictures::use(const ProjectMaterial& material, const MaterialLibrary& l
   if (kept_->second.diffuse_alpha.pixel_count() > most_texels) kept_.reset();
 }
 
+MapEvidence KeptPictures::normals(const ProjectMaterial& material, const std::function<MapEvidence()>& read) {
+  const std::lock_guard lock(guard_);
+  ProjectMaterial of;
+  of.texture(Channel::normal) = material.texture(Channel::normal);
+  const PicturesKey key(of);
+  if (!normals_ || normals_->first != key) normals_.emplace(key, read());
+  return normals_->second;
+}
+
 const Image& channel_image(const SurfaceTextures& textures, Channel channel) {
   switch (channel) {
     case Channel::diffuse:

@@ -10,6 +10,7 @@
 
 #include "core/atlas/sources/sources.h"
 #include "core/base/files/file_stamp.h"
+#include "core/maps/map_evidence.h"
 #include "core/project/project.h"
 #include "core/render/scene.h"
 
@@ -59,9 +60,13 @@ class KeptPictures {
   void use(const ProjectMaterial& material, const MaterialLibrary& library, const PictureDoor& door,
            std::size_t most, const std::function<void(MaterialPair&)>& use);
 
+  /// What `read` tells of the normal map of a material, kept likewise.
+  MapEvidence normals(const ProjectMaterial& material, const std::function<MapEvidence()>& read);
+
  private:
   std::mutex guard_;
   std::optional<std::pair<PicturesKey, MaterialPair>> kept_;
+  std::optional<std::pair<PicturesKey, MapEvidence>> normals_;
 };
 
 /// A picture of emission or occlusion as emission_floats() and occlusion_floats() give it; none where the channel has

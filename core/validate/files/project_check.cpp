@@ -15,6 +15,8 @@
 #include "core/judge/rules.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
+#include "core/validate/files/check.h"
+#include "core/validate/files/check_maps.h"
 #include "core/validate/files/material_evidence.h"
 
 namespace etak {
@@ -112,6 +114,21 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialCheck& b
   return out;
 }
 
+// Checks the normal map against the convention that the material says.
+CheckedFile check_normals(const ProjectMaterial& material, const ImageSource& map, const MaterialCheck& by) {
+  CheckTarget target;
+  target.label = material.name;
+  target.files = {{FileRole::normal, map.path, material.name + " (normal)", false}};
+  return check_by(target, by.settings, [&](const Settings&, Evidence& evidence, CheckedFile&) {
+    const auto read = [&] { return maps_of(target, by.door).front(); };
+    MapEvidence& normals =
+        evidence.maps.emplace_back(by.kept != nullptr ? by.kept->normals(material, read) : read());
+    normals.label = target.files.front().label;
+    normals.green = material.green_down ? GreenAxis::directx : GreenAxis::opengl;
+    normals.said_by = "the material";
+  });
+}
+
 // The record of a measured material, with the dataset that the material uses as the preferred one.
 Material used_record(const MeasuredF0& measured, const MaterialLibrary& library) {
   auto record = library.find(measured.material);
@@ -162,6 +179,8 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialCheck&
     }
   };
   part([&] { return check_texels(material, by); });
+  if (const auto& map = material.texture(Channel::normal))
+    part([&] { return check_normals(material, *map, by); });
   if (material.measured)
     part([&] {
       return check_record(*material.measured, by.library, text_of_layers(material, by.library), by.settings);
@@ -184,6 +203,8 @@ std::optional<Channel> field_of(std::string_view rule) {
       return Channel::gloss;
     case '5':
       return Channel::alpha;
+    case '7':
+      return Channel::normal;
     default:
       return std::nullopt;
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <optional>
 
 #include "core/color/luminance.h"
 #include "core/judge/pixels/code_tables.h"
+#include "core/judge/pixels/evidence.h"
 #include "core/validate/repairs/rows.h"
 
 namespace etak {
@@ -22,6 +24,20 @@ std::optional<double> base_luminance(const RepairBench& bench, const RepairRegio
   return luminance_of(sum) / static_cast<double>(region.texels.size());
 }
 
+// Texels that count as metal become full metal. Others stay.
+std::size_t fill_metal(RepairPicture& metal, std::size_t first, std::size_t last) {
+  const int least = metal_first_code * (metal.most / 255);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < metal.codes.pixel_count(); ++i)
+    for (std::size_t c = first; c < last; ++c) {
+      std::uint16_t& code = metal.texel(i)[c];
+      if (code < least || code == metal.most) continue;
+      code = static_cast<std::uint16_t>(metal.most);
+      ++changed;
+    }
+  return changed;
+}
+
 // Half metals become what they are nearer to. The base colour of a metal is its F0, so that a dark one
 // cannot be that of a metal.
 RepairOutcome separate_metal(const RepairBench& bench) {
@@ -39,6 +55,9 @@ RepairOutcome separate_metal(const RepairBench& bench) {
     for (const std::size_t i : region.texels)
       for (std::size_t c = first; c < last; ++c) metal->texel(i)[c] = metal->code(is_metal ? 1 : 0);
   }
+  // Of a metal that is nowhere a full one no texel is half.
+  if (std::ranges::find(marks.values, 2) == marks.values.end())
+    return fill_metal(*metal, first, last) == 0 ? RepairOutcome{} : RepairOutcome{"made metal full metal"};
   if (2 * guessed >= marks.values.size())
     return {
         "",

@@ -18,12 +18,13 @@ struct RepairedMaterial {
   std::vector<std::string> done, left;
 };
 
-/// Repairs what can be repaired of a material: its diffuse colour and F0 as they are drawn, 8 bits a channel. A number
-/// that changes is set; of a picture a repaired one is written, and the material then reads that, as diffuse colour and
-/// F0 where it had a base colour. A measured record whose F0 changes is let go.
+/// Repairs what can be repaired of a material. A number that changes is set; of a picture a repaired copy is written, which
+/// has the channels and the bits of its file, and the material then reads that: of the normal map, held against the
+/// convention that the material says; of base colour and metalness, else of diffuse colour and F0 as they are drawn, which
+/// then stand in the place of a base colour. A measured record whose F0 changes is let go.
 ///   work     an empty folder for what is needed meanwhile
-///   folder   where repaired pictures are written: NAME_diffuse_fixed.png, NAME_specular_fixed.png; a number is put
-///            behind a name that is taken
+///   folder   where repaired pictures are written: NAME_diffuse_fixed.png, NAME_normal_fixed.png and so on; a number is
+///            put behind a name that is taken
 /// Throws Error for pictures that cannot be read or written.
 RepairedMaterial repair_material(const ProjectMaterial& material, const MaterialLibrary& library,
                                  const Settings& settings, const PictureDoor& door, const std::string& work,

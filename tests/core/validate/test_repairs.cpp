@@ -11,6 +11,7 @@
 #include "core/image/load.h"
 #include "core/judge/rules.h"
 #include "core/pages/repair_page.h"
+#include "core/validate/files/project_check.h"
 #include "core/validate/repairs/repair.h"
 #include "core/validate/repairs/repair_files.h"
 #include "core/validate/repairs/repair_material.h"
@@ -236,4 +237,181 @@ TEST_CASE("a material of a project is repaired as its pictures are, by numbers a
   CHECK(left.material == plastic);
   REQUIRE(left.left.size() == 1);
   CHECK(left.left[0].starts_with("ETK101: "));
+}
+
+namespace {
+
+// Normals of a relief whose slopes are twisted; green points up.
+template <class Value>
+Pixels<Value> twisted_normals() {
+  Pixels<Value> out(set_edge, set_edge, 3);
+  for (int y = 0; y < set_edge; ++y)
+    for (int x = 0; x < set_edge; ++x) {
+      const double u = 0.7 * std::cos(x / 9.0) * std::cos(y / 11.0),
+                   v = 0.6 * std::sin(x / 9.0) * std::sin(y / 11.0);
+      const double length = std::sqrt(u * u + v * v + 1);
+      const std::array<double, 3> n{-u / length, -v / length, 1 / length};
+      for (std::size_t c = 0; c < 3; ++c) out.at(x, y)[c] = coded<Value>((n[c] + 1) / 2);
+    }
+  return out;
+}
+
+template <class Value>
+void turn_green_around(Pixels<Value>& map) {
+  const int full = sizeof(Value) == 1 ? 255 : 65535;
+  for (std::size_t i = 1; i < map.values.size(); i += 3)
+    map.values[i] = static_cast<Value>(full - map.values[i]);
+}
+
+template <class Act>
+void each_of(Image16& image, Act act) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) act(image.at(x, y), x, y);
+}
+
+RepairedMaterial repaired_in(const TempFolder& folder, const ProjectMaterial& material) {
+  static int run = 0;
+  const std::string work = folder.file("work" + std::to_string(++run));
+  fs::create_directory(work);
+  return repair_material(material, MaterialLibrary::builtin(), {}, {}, work, folder.path());
+}
+
+bool finds(const ProjectMaterial& material, std::string_view rule) {
+  const MaterialLibrary library = MaterialLibrary::builtin();
+  const PictureDoor door;
+  const Settings settings;
+  const CheckedFile checked = check_material(material, {library, door, settings, 0, 1, nullptr});
+  return std::ranges::find(checked.findings, rule, &Finding::rule) != checked.findings.end();
+}
+
+// A map against its name, repaired in files and in a material: it comes back to the code.
+template <class Value>
+void check_turned_green() {
+  const auto right = twisted_normals<Value>();
+  auto wrong = right;
+  turn_green_around(wrong);
+  const TempFolder folder;
+  put_pictures(folder.file("in"), {{"crate_normal_gl.png", wrong}});
+  const RepairedFolder repaired = repair_folder(folder.file("in"), folder.file("out"));
+  INFO(validation_text(repaired.before) << repairs_text(repaired.report, {}));
+  REQUIRE(has_rule(repaired.before, "ETK703"));
+  CHECK_FALSE(has_rule(repaired.after, "ETK703"));
+  CHECK(std::get<Pixels<Value>>(loaded_codes(folder.file("out/crate_normal_gl.png"))) == right);
+
+  ProjectMaterial m;
+  m.name = "crate";
+  m.texture(Channel::normal) = ImageSource{folder.file("in/crate_normal_gl.png"), "", ""};
+  REQUIRE(finds(m, "ETK703"));
+  const RepairedMaterial fixed = repaired_in(folder, m);
+  REQUIRE(fixed.done.size() == 1);
+  CHECK(fixed.done[0] == "ETK703: turned green around");
+  CHECK(fixed.material.texture(Channel::normal)->path == folder.file("crate_normal_fixed.png"));
+  CHECK(std::get<Pixels<Value>>(loaded_codes(folder.file("crate_normal_fixed.png"))) == right);
+  CHECK_FALSE(finds(fixed.material, "ETK703"));
+  m.green_down = true;
+  CHECK_FALSE(finds(m, "ETK703"));
+}
+
+}  // namespace
+
+TEST_CASE("a normal map against its convention gets its green turned around, in 8 and in 16 bits") {
+  check_turned_green<std::uint8_t>();
+  check_turned_green<std::uint16_t>();
+}
+
+TEST_CASE("normals of a material that are not unit become so, and the others keep their codes") {
+  const TempFolder folder;
+  const auto right = twisted_normals<std::uint16_t>();
+  auto wrong = right;
+  for (int y = 20; y < 90; ++y)
+    for (int x = 10; x < 80; ++x)
+      for (std::uint16_t& code : wrong.at(x, y))
+        code = coded<std::uint16_t>(0.5 + 0.8 * (code / 65535.0 - 0.5));
+  put_pictures(folder.file("in"), {{"n.png", wrong}});
+  ProjectMaterial m;
+  m.name = "crate";
+  m.texture(Channel::normal) = ImageSource{folder.file("in/n.png"), "", ""};
+  REQUIRE(finds(m, "ETK701"));
+  const RepairedMaterial fixed = repaired_in(folder, m);
+  CHECK_FALSE(finds(fixed.material, "ETK701"));
+  const auto copy = std::get<Image16>(loaded_codes(fixed.material.texture(Channel::normal)->path));
+  for (int y = 0; y < set_edge; ++y)
+    for (int x = 0; x < set_edge; ++x) {
+      const bool inside = x >= 10 && x < 80 && y >= 20 && y < 90;
+      for (std::size_t c = 0; c < 3; ++c)
+        REQUIRE(std::abs(copy.at(x, y)[c] - right.at(x, y)[c]) <= (inside ? 257 : 0));
+    }
+}
+
+TEST_CASE("metalness of a material is separated in its own file, whose other channels and bits stay") {
+  const TempFolder folder;
+  Random random(8);
+  Image16 orm(set_edge, set_edge, 3), base(set_edge, set_edge, 3);
+  each_of(base, [&](auto texel, int, int) {
+    for (auto& code : texel) code = static_cast<std::uint16_t>(56000 + random.below(3000));
+  });
+  each_of(orm, [&](auto texel, int x, int y) {
+    texel[0] = static_cast<std::uint16_t>(60000 + random.below(5000));
+    texel[1] = static_cast<std::uint16_t>(30000 + random.below(9000));
+    texel[2] = Patch().holds(x, y) ? 39000 : 0;
+  });
+  put_pictures(folder.file("in"), {{"base.png", base}, {"orm.png", orm}});
+  ProjectMaterial m;
+  m.name = "crate";
+  m.alpha_mode = AlphaMode::opaque;
+  set_texture(m, Channel::base_color, ImageSource{folder.file("in/base.png"), "", ""});
+  set_texture(m, Channel::metallic, ImageSource{folder.file("in/orm.png"), "b", ""});
+  set_texture(m, Channel::roughness, ImageSource{folder.file("in/orm.png"), "g", ""});
+  set_texture(m, Channel::occlusion, ImageSource{folder.file("in/orm.png"), "r", ""});
+  const RepairedMaterial fixed = repaired_in(folder, m);
+  REQUIRE(!fixed.done.empty());
+  CHECK(fixed.done[0] == "ETK113: separated metal from what is none");
+  for (const Channel channel : {Channel::metallic, Channel::roughness, Channel::occlusion})
+    CHECK(fixed.material.texture(channel)->path == folder.file("crate_metallic_fixed.png"));
+  CHECK(fixed.material.texture(Channel::base_color) == m.texture(Channel::base_color));
+  const auto copy = std::get<Image16>(loaded_codes(folder.file("crate_metallic_fixed.png")));
+  each_of(orm, [&](auto texel, int x, int y) {
+    CHECK((copy.at(x, y)[0] == texel[0] && copy.at(x, y)[1] == texel[1]));
+    CHECK(copy.at(x, y)[2] == (Patch().holds(x, y) ? 65535 : 0));
+  });
+}
+
+TEST_CASE("metal that is nowhere a full metal becomes one") {
+  Random random(8);
+  Image8 base(set_edge, set_edge, 3), metal(set_edge, set_edge, 1), roughness(set_edge, set_edge, 1);
+  each_texel(base, [&](auto texel, int, int) { set_rgb(texel, {215 + random.below(20), 212, 208}); });
+  each_texel(roughness,
+             [&](auto texel, int, int) { texel[0] = static_cast<std::uint8_t>(100 + random.below(60)); });
+  each_texel(metal, [&](auto texel, int x, int) {
+    texel[0] = static_cast<std::uint8_t>(x < 60 ? 240 + random.below(4) : random.below(3));
+  });
+  const TempFolder folder;
+  put_pictures(
+      folder.file("in"),
+      {{"crate_basecolor.png", base}, {"crate_roughness.png", roughness}, {"crate_metallic.png", metal}});
+  const RepairedFolder repaired = repair_folder(folder.file("in"), folder.file("out"));
+  INFO(validation_text(repaired.before) << repairs_text(repaired.report, {}));
+  REQUIRE(has_rule(repaired.before, "ETK113"));
+  CHECK_FALSE(has_rule(repaired.after, "ETK113"));
+  const auto copy = std::get<Image8>(loaded_codes(folder.file("out/crate_metallic.png")));
+  each_texel(metal, [&](auto texel, int x, int y) {
+    CHECK(int{copy.at(x, y)[0]} == (x < 60 ? 255 : int{texel[0]}));
+  });
+}
+
+TEST_CASE("a diffuse colour of 16 bits is repaired in 16 bits") {
+  const TempFolder folder;
+  Image16 wrong(64, 64, 3);
+  each_of(wrong, [&](auto texel, int x, int y) {
+    for (auto& code : texel) code = static_cast<std::uint16_t>(20000 + 37 * x + 11 * y);
+  });
+  put_pictures(folder.file("in"), {{"diffuse.png", wrong}});
+  ProjectMaterial m;
+  m.name = "painted";
+  m.specular = {0.9, 0.88, 0.85};
+  m.alpha_mode = AlphaMode::opaque;
+  set_texture(m, Channel::diffuse, ImageSource{folder.file("in/diffuse.png"), "", ""});
+  const RepairedMaterial fixed = repaired_in(folder, m);
+  REQUIRE(fixed.done.size() == 1);
+  CHECK(std::get<Image16>(loaded_codes(folder.file("painted_diffuse_fixed.png"))) == Image16(64, 64, 3, 0));
 }
