@@ -3,24 +3,20 @@
 
 #include "core/image/blocks/blocks.h"
 #include "core/judge/rules/rows.h"
+#include "core/judge/rules/tile_boxes.h"
 
 namespace etak {
 
 namespace {
 
-// A tile on a mip level, in blocks.
-struct TileBlocks {
-  const CheckTile* tile = nullptr;
-  PixelBox box;
-};
-
 const std::string& owner_of(const CheckTile& tile) {
   return tile.island_of.empty() ? tile.name : tile.island_of;
 }
 
-std::vector<TileBlocks> in_blocks(const std::vector<CheckTile>& tiles, int page_mips, int level,
-                                  const BlockFormat& format) {
-  std::vector<TileBlocks> out;
+// The tiles of a mip level, in blocks.
+std::vector<TileBox> in_blocks(const std::vector<CheckTile>& tiles, int page_mips, int level,
+                               const BlockFormat& format) {
+  std::vector<TileBox> out;
   for (const CheckTile& tile : tiles) {
     const PixelBox& box = tile.box;
     if (box.width <= 0 || box.height <= 0 || level > tile.mips.value_or(page_mips)) continue;
@@ -31,18 +27,8 @@ std::vector<TileBlocks> in_blocks(const std::vector<CheckTile>& tiles, int page_
                    {x, y, last(box.x, box.width, format.block_width) - x + 1,
                     last(box.y, box.height, format.block_height) - y + 1}});
   }
-  std::ranges::stable_sort(out, {}, [](const TileBlocks& each) { return each.box.y; });
+  sort_by_row(out);
   return out;
-}
-
-// The tile after `at`, in the order of in_blocks(), that has a block of it and belongs to another material.
-const CheckTile* sharing(const std::vector<TileBlocks>& all, std::size_t at) {
-  const TileBlocks& one = all[at];
-  for (std::size_t i = at + 1; i < all.size() && all[i].box.y < one.box.y + one.box.height; ++i)
-    if (common_part(one.box, all[i].box).area() != 0 && one.tile->page == all[i].tile->page &&
-        owner_of(*one.tile) != owner_of(*all[i].tile))
-      return all[i].tile;
-  return nullptr;
 }
 
 }  // namespace
@@ -70,9 +56,10 @@ constinit const Rule etk018_blocks_shared{
         if (format == nullptr) continue;
         std::vector<const CheckTile*> told;  // one finding a tile, at its first level
         for (int level = 0; level <= levels; ++level) {
-          const std::vector<TileBlocks> all = in_blocks(manifest.tiles, page_mips, level, *format);
+          const std::vector<TileBox> all = in_blocks(manifest.tiles, page_mips, level, *format);
           for (std::size_t i = 0; i < all.size(); ++i) {
-            const CheckTile* other = sharing(all, i);
+            const CheckTile* other = met_tile(
+                all, i, [&](const CheckTile& each) { return owner_of(each) != owner_of(*all[i].tile); });
             if (other == nullptr || std::ranges::find(told, all[i].tile) != told.end()) continue;
             told.push_back(all[i].tile);
             Finding& finding = check.report(picture);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "core/judge/rules/rows.h"
+#include "core/judge/rules/tile_boxes.h"
 
 namespace etak {
 
@@ -31,23 +30,16 @@ constinit const Rule etk506_tile_overlap{
           finding.message = "the tile leaves its page of " + std::to_string(picture->header.width) + " x " +
                             std::to_string(picture->header.height);
         }
-      std::vector<const CheckTile*> by_row;
-      for (const CheckTile& tile : tiles) by_row.push_back(&tile);
-      std::stable_sort(by_row.begin(), by_row.end(),
-                       [](const CheckTile* a, const CheckTile* b) { return a->box.y < b->box.y; });
+      std::vector<TileBox> by_row;
+      for (const CheckTile& tile : tiles) by_row.push_back({&tile, tile.box});
+      sort_by_row(by_row);
       for (std::size_t i = 0; i < by_row.size(); ++i) {
-        const PixelBox& a = by_row[i]->box;
-        for (std::size_t j = i + 1; j < by_row.size() && by_row[j]->box.y < a.y + a.height; ++j) {
-          const PixelBox& b = by_row[j]->box;
-          if (by_row[i]->page != by_row[j]->page || b.x >= a.x + a.width || a.x >= b.x + b.width ||
-              b.height <= 0 || a.height <= 0)
-            continue;
-          Finding& finding = check.report();
-          finding.tile = by_row[i]->name;
-          finding.box = a;
-          finding.message = "the tile shares texels with \"" + by_row[j]->name + "\"";
-          break;  // one per tile
-        }
+        const CheckTile* met = met_tile(by_row, i, [](const CheckTile&) { return true; });
+        if (met == nullptr) continue;
+        Finding& finding = check.report();
+        finding.tile = by_row[i].tile->name;
+        finding.box = by_row[i].box;
+        finding.message = "the tile shares texels with \"" + met->name + "\"";
       }
     }};
 
