@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session by keys and mouse that ends by a kill: pick gold, compare models, import a page, export a
-// textured glTF, edit on. The next run recovers everything.
+// A session by keys and mouse that ends by a kill: pick gold, compare models, import a page, export a textured glTF, drop
+// sets of four conventions, mix two metals by a mask, fix a finding, compare with a photograph, export MaterialX, edit on.
+// The next run recovers everything.
 #include <signal.h>
 #include <unistd.h>
 
@@ -10,9 +11,16 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QProcess>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QTreeView>
 
 #include "app/editor/panels/drop_table.h"
+#include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector/inspector.h"
+#include "app/editor/panels/mask_dialog.h"
+#include "app/editor/panels/project_panel.h"
+#include "app/editor/panels/view_panel.h"
 #include "app/fields/number_field.h"
 #include "core/base/files/file.h"
 #include "core/scene/gltf.h"
@@ -27,6 +35,7 @@ namespace {
 
 constexpr const char* session_folder = "ETAK_TEST_SESSION";
 constexpr int patience = 30000;
+constexpr std::size_t all_materials = 10;  // gold, glass, four sets, two metals and their mix, silver
 
 std::unique_ptr<Window> window_in(const QString& folder) {
   WindowOptions options;
@@ -62,6 +71,26 @@ class UserSession : public QObject {
 
   std::unique_ptr<Window> window;
   QDir folder{qEnvironmentVariable(session_folder)};
+
+  // A picture of one colour beside the project.
+  QString grey(const QString& name) const {
+    QImage out(16, 16, QImage::Format_RGB32);
+    out.fill(QColor(130, 90, 60));
+    const QString file = folder.filePath(name);
+    out.save(file);
+    return file;
+  }
+
+  // Drops pictures of these names and takes what the table proposes.
+  void drop_set(const QStringList& names) {
+    QStringList files;
+    for (const QString& name : names) files << grey(name);
+    QVERIFY(drop(window->viewport(), files));
+    QTRY_VERIFY(window->findChild<DropTable*>() != nullptr && window->findChild<DropTable*>()->isVisible());
+    QTest::keyClick(window->findChild<DropTable*>(), Qt::Key_Return);
+    QTRY_VERIFY(window->findChild<DropTable*>() == nullptr);
+    QVERIFY(QTest::qWaitFor([&] { return !window->is_busy(); }, patience));
+  }
 
  private slots:
   void initTestCase() {
@@ -128,14 +157,8 @@ class UserSession : public QObject {
   }
 
   void a_textured_gltf_is_exported() {
-    QStringList pictures;
-    for (const char* name : {"wood.png", "wood_gloss.png"}) {
-      QImage out(16, 16, QImage::Format_RGB32);
-      out.fill(QColor(130, 90, 60));
-      pictures << folder.filePath(QLatin1String(name));
-      QVERIFY(out.save(pictures.back()));
-    }
-    QVERIFY(drop(window->viewport(), pictures));
+    QVERIFY(
+        drop(window->viewport(), {grey(QStringLiteral("wood.png")), grey(QStringLiteral("wood_gloss.png"))}));
     QTRY_VERIFY(window->findChild<DropTable*>() != nullptr && window->findChild<DropTable*>()->isVisible());
     QTest::keyClick(window->findChild<DropTable*>(), Qt::Key_Return);
     QTRY_VERIFY(window->document().material()->texture(Channel::smoothness).has_value());
@@ -150,7 +173,107 @@ class UserSession : public QObject {
     QVERIFY(window->problems().text().isEmpty());
   }
 
+  void sets_of_four_conventions_are_dropped() {
+    const std::size_t before = window->document().project().materials.size();
+    drop_set({"T_Crate_D.png", "T_Crate_ORM.png", "T_Crate_N.png", "Drum_BaseMap.png", "Drum_MaskMap.png",
+              "Drum_Normal.png", "Chair_Diffuse.png", "Chair_Specular.png", "Chair_Glossiness.png",
+              "planks_diff_4k.png", "planks_nor_gl_4k.png", "planks_arm_4k.png"});
+    const auto& materials = window->document().project().materials;
+    QCOMPARE(materials.size(), before + 4);
+    for (std::size_t i = before; i < materials.size(); ++i) {
+      const ProjectMaterial& each = materials[i];
+      const bool is_chair = each.texture(Channel::diffuse).has_value();
+      QVERIFY2(each.texture(is_chair ? Channel::specular : Channel::metallic), each.name.c_str());
+      QVERIFY2(each.texture(is_chair ? Channel::smoothness : Channel::normal), each.name.c_str());
+    }
+  }
+
+  void two_metals_are_mixed_by_a_mask() {
+    for (const char* id : {"iron", "copper"}) QVERIFY(window->use_library_material(QLatin1String(id)));
+    QListView& list = window->project_panel().list();
+    const int rows = list.model()->rowCount();
+    list.selectionModel()->select({list.model()->index(rows - 2, 0), list.model()->index(rows - 1, 0)},
+                                  QItemSelectionModel::ClearAndSelect);
+    QImage mask(32, 32, QImage::Format_RGB32);
+    mask.fill(Qt::black);
+    for (int y = 8; y < 24; ++y)
+      for (int x = 8; x < 24; ++x) mask.setPixelColor(x, y, Qt::white);
+    const QString file = folder.filePath(QStringLiteral("mask.png"));
+    QVERIFY(mask.save(file));
+    QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+    QTRY_VERIFY(window->findChild<MaskDialog*>() != nullptr && window->findChild<MaskDialog*>()->isVisible());
+    const QPointer<MaskDialog> dialog(window->findChild<MaskDialog*>());
+    QVERIFY(QTest::qWaitForWindowActive(dialog, patience));
+    choose_file(file);
+    QTest::mouseClick(named<QPushButton>(*dialog, QStringLiteral("Choose, Mask")), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(named<QLineEdit>(*dialog, QStringLiteral("Code of material 2"))->text(),
+                              QStringLiteral("255"), patience);
+    auto* line = named<QLineEdit>(*dialog, QStringLiteral("Name of the new material"));
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, QStringLiteral("Inlay"));
+    QTest::keyClick(line, Qt::Key_Tab);
+    QVERIFY(QTest::qWaitFor([&] { return !dialog->is_busy(); }, patience));
+    const auto* note = named<QLabel>(*dialog, QStringLiteral("What comes out"));
+    QVERIFY2(note->text().startsWith(QStringLiteral("Each texel")), qPrintable(note->text()));
+    QTest::keyClick(dialog, Qt::Key_Return);
+    QVERIFY(QTest::qWaitFor([&] { return dialog.isNull(); }, patience));
+    QCOMPARE(window->document().material()->name, std::string("Inlay"));
+    QVERIFY(window->document().material()->texture(Channel::specular));
+    QVERIFY(QTest::qWaitFor([&] { return !window->is_busy(); }, patience));
+  }
+
+  void a_finding_is_fixed() {
+    // A metal with a diffuse colour: ETK108.
+    QVERIFY(window->use_library_material(QStringLiteral("silver")));
+    window->document().change_material(QStringLiteral("diffuse"), 0, [](ProjectMaterial& m) {
+      m.diffuse = {0.3, 0.3, 0.3};
+    });
+    const auto row_of_rule = [&] {
+      QTreeView& table = window->findings().table();
+      for (int row = 0; row < table.model()->rowCount(); ++row)
+        if (table.model()->index(row, FindingsModel::rule_column).data() == QStringLiteral("ETK108"))
+          return table.model()->index(row, 0);
+      return QModelIndex();
+    };
+    window->tabs().setCurrentWidget(&window->findings());
+    QTRY_VERIFY_WITH_TIMEOUT(row_of_rule().isValid(), patience);
+    window->findings().table().setCurrentIndex(row_of_rule());
+    auto* fix = named<QToolButton>(window->findings(), QStringLiteral("Fix"));
+    QTRY_VERIFY(fix->isEnabled());
+    QTest::mouseClick(fix, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().material()->diffuse, (LinearRgb{0, 0, 0}), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!row_of_rule().isValid(), patience);
+  }
+
+  void a_photograph_is_compared() {
+    const QString file = folder.filePath(QStringLiteral("photo.png"));
+    QVERIFY(window->viewport().grab_picture().save(file));
+    window->inspector_tabs().setCurrentWidget(&window->view_panel());
+    choose_file(file);
+    QTest::mouseClick(named<QPushButton>(window->view_panel(), QStringLiteral("Photograph as side B")),
+                      Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(window->look().photograph == "photo.png", patience);
+    QVERIFY(QTest::qWaitFor([&] { return !window->is_busy(); }, patience));
+    const auto patch =
+        window->viewport().patch_at(QRectF(window->viewport().rect()).center() + QPointF(60, 20));
+    QVERIFY(patch && patch->on_object);
+  }
+
+  void materialx_is_exported() {
+    window->document().set_current(1);
+    const QString file = folder.filePath(QStringLiteral("wood.mtlx"));
+    choose_file(file);
+    QVERIFY(click_menu(
+        *window, {QStringLiteral("File"), QStringLiteral("Export material"), QStringLiteral("MaterialX")}));
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file); }, patience));
+    QVERIFY(bytes_of(file).contains("open_pbr_surface"));
+    QVERIFY(QTest::qWaitFor([&] { return !window->is_busy(); }, patience));
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+  }
+
   void a_kill_comes_in_the_middle_of_the_work() {
+    window->inspector_tabs().setCurrentWidget(&window->inspector());
     auto* occlusion = named<FineSpinBox>(window->inspector(), QStringLiteral("Occlusion"));
     window->inspector().ensureWidgetVisible(occlusion);
     occlusion->setFocus();
@@ -163,7 +286,7 @@ class UserSession : public QObject {
     const auto is_kept = [&] {
       if (!QFile::exists(window->autosave().file())) return false;
       const Project kept = parse_project(read_file(copy), copy);
-      return kept.materials.size() == 2 && kept.materials[1].occlusion == 0.4;
+      return kept.materials.size() == all_materials && kept.materials[1].occlusion == 0.4;
     };
     QVERIFY(QTest::qWaitFor(is_kept, patience));
     write(folder.filePath(QStringLiteral("all is well")), "");
@@ -209,11 +332,11 @@ class EditorUser : public QObject {
     QSignalSpy opened(window.get(), &Window::opened);
     QVERIFY(window->offer_recovery());
     QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, patience));
-    QVERIFY2(
-        question.contains(QLatin1String("session.json")) && question.contains(QLatin1String("2 materials")),
-        qPrintable(question));
+    QVERIFY2(question.contains(QLatin1String("session.json")) &&
+                 question.contains(QStringLiteral("%1 materials").arg(all_materials)),
+             qPrintable(question));
     const Project& project = window->document().project();
-    QCOMPARE(project.materials.size(), std::size_t{2});
+    QCOMPARE(project.materials.size(), std::size_t{all_materials});
     QCOMPARE(project.materials[0].name, std::string("Gold"));
     QCOMPARE(project.spectra.size(), std::size_t{1});
     QVERIFY(project.view.compare.on && project.view.compare.pinned.has_value());
