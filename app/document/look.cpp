@@ -94,6 +94,7 @@ ViewState view_state_of(const Document& document, const Look& look,
   out.shape = view.wedge.on               ? ViewShape::wedge
               : view.shape == Shape::quad ? ViewShape::quad
                                           : ViewShape::sphere;
+  if (!view.mesh.empty()) out.mesh = look.mesh;
   out.wedge_parameter = view.wedge.parameter;
   out.wedge_steps = view.wedge.steps;
   out.lights = view.lights;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -15,8 +16,9 @@ struct Look {
   bool zone_overlay = false, energy_overlay = false, angle_overlay = false, textured = true;
   View camera;
   bool perspective = false;
-  std::string photograph;  // name of the photograph in place of side B; empty: none
-  std::string engine;      // as which side A is shown (core/render/engines.h); empty: by its own models
+  std::shared_ptr<const MeshShape> mesh;  // of the project's view; null until it has been loaded
+  std::string photograph;                 // name of the photograph in place of side B; empty: none
+  std::string engine;  // as which side A is shown (core/render/engines.h); empty: by its own models
   std::optional<ProjectMaterial> preview;  // a material of the library, shown in place of the current one
 };
 

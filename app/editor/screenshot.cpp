@@ -39,6 +39,7 @@
 #include "app/editor/shortcuts.h"
 #include "app/editor/window.h"
 #include "core/project/project_pictures.h"
+#include "core/render/mesh_shape.h"
 
 namespace etak::editor {
 namespace {
@@ -225,6 +226,7 @@ void show_state(Window& window, const QString& state) {
          edit_view(window, [](ProjectView& view) { view.wedge.on = true; });
          window.inspector_tabs().setCurrentIndex(2);
        }},
+      {"mesh", [&] { edit_view(window, [](ProjectView& v) { v.mesh = shader_ball_name; }); }},
       {"quad", [&] { edit_view(window, [](ProjectView& v) { v.shape = Shape::quad; }); }},
       {"zone",
        [&] {

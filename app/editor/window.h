@@ -101,7 +101,7 @@ class Window : public QMainWindow {
   /// Whether files are read or written, an environment is computed, or a picture is in work.
   bool is_busy() const {
     return busy_ > 0 || comparing_ > 0 || difference_timer_.isActive() || environment_coming_ ||
-           viewport_->is_drawing();
+           mesh_coming_ || refresh_timer_.isActive() || viewport_->is_drawing();
   }
   /// Shows the viewport alone, without menus, panels and tabs, or the window as it was before.
   void show_viewport_only(bool on);
@@ -216,6 +216,9 @@ class Window : public QMainWindow {
   void refresh();
   void set_environment(const QString& path);
   void load_environment();
+  void choose_mesh();
+  void take_mesh(const QString& file);
+  void load_mesh();
   void show_environment_work(bool on);
   void show_difference();
   void compare(const std::function<DifferencePicture()>& work,
@@ -283,6 +286,8 @@ class Window : public QMainWindow {
   // The environment that is shown, and the key of the one that is wanted.
   std::shared_ptr<const Environment> environment_;
   std::string environment_key_;
+  std::string mesh_key_;
+  bool mesh_coming_ = false;
   bool environment_coming_ = false;  // it or its sharper form
 };
 

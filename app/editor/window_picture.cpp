@@ -141,6 +141,7 @@ void Window::connect_comparison() {
   difference_timer_.setInterval(150);
   connect(&difference_timer_, &QTimer::timeout, this, &Window::show_difference);
   connect(inspector_tabs_, &QTabWidget::currentChanged, &difference_timer_, qOverload<>(&QTimer::start));
+  connect(view_panel_, &ViewPanel::mesh_asked, this, &Window::choose_mesh);
   connect(view_panel_, &ViewPanel::photograph_asked, this, &Window::choose_photograph);
   connect(view_panel_, &ViewPanel::photograph_ended, this, [this] { show_photograph({}, {}); });
   connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
@@ -189,6 +190,9 @@ void Window::look_changed() {
 
 void Window::refresh() {
   load_environment();
+  load_mesh();
+  // A mesh is there soon: rather the last picture until then than one of the sphere.
+  if (mesh_coming_) return;
   // A studio is there soon: rather the last picture until then than one in the dark.
   if (environment_coming_ && !environment_ &&
       find_studio(document_.project().view.lights.environment) != nullptr)

@@ -19,6 +19,9 @@
 #include "app/editor/panels/view_bar.h"
 #include "app/editor/panels/view_panel.h"
 #include "app/editor/window.h"
+#include "app/viewport/background.h"
+#include "core/image/image_io.h"
+#include "core/project/shown_mesh.h"
 
 namespace etak::editor {
 
@@ -68,6 +71,7 @@ void Window::make_looks() {
 
 void Window::make_view_bar(QWidget* parent) {
   view_bar_ = new ViewBar(document_, parent);
+  connect(view_bar_, &ViewBar::mesh_asked, this, &Window::choose_mesh);
   connect(view_bar_, &ViewBar::open_environment_asked, this, [this] { light_panel_->open_environment(); });
   const auto of_backdrop = [this](const QString& title, const QString& tip, const QString& step,
                                   bool Backdrop::*part) {
@@ -114,6 +118,49 @@ void Window::make_view_bar(QWidget* parent) {
       });
   compare_action_->setIconText(tr("A | B"));
   view_bar_->add(compare_action_);
+}
+
+void Window::choose_mesh() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Show on a mesh"), beside_project(),
+                                                    tr("Scenes of glTF (*.gltf *.glb);;All files (*)"));
+  if (!file.isEmpty()) take_mesh(file);
+}
+
+void Window::take_mesh(const QString& file) {
+  document_.change_view(tr("mesh"), next_press_id(), [&](ProjectView& view) {
+    view.mesh = file.toStdString();
+    view.shape = Shape::sphere;
+    view.wedge.on = false;
+  });
+}
+
+void Window::load_mesh() {
+  const std::string& name = document_.project().view.mesh;
+  if (name == mesh_key_) return;
+  mesh_key_ = name;
+  look_.mesh.reset();
+  mesh_coming_ = !name.empty();
+  if (name.empty()) return;
+  struct Loaded {
+    std::shared_ptr<const MeshShape> mesh;
+    QString failure;
+  };
+  in_background(
+      heavy_, this,
+      [name] {
+        Loaded out;
+        out.failure = failure_of([&] { out.mesh = shown_mesh(name, picture_door().mesh, 2); },
+                                 tr("not enough memory for the mesh"));
+        return out;
+      },
+      [this, name](const Loaded& loaded) {
+        if (name != mesh_key_) return;
+        mesh_coming_ = false;
+        look_.mesh = loaded.mesh;
+        if (!loaded.failure.isEmpty())
+          show_problems(tr("The mesh could not be read; the sphere is shown"), {loaded.failure});
+        refresh_timer_.start();
+      });
 }
 
 void Window::choose_photograph() {

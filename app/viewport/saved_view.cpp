@@ -45,7 +45,7 @@ QImage SavedView::picture(const QSize& wanted, bool transparent, const RowsDone&
   QImage out = cpu_picture(refined, shows, wanted, thread_count(0), rows_done);
   if (!photograph.isNull()) {
     QPainter painter(&out);
-    paint_photograph(painter, photograph, out.rect(), state.separator * out.width());
+    paint_photograph(painter, photograph, out.rect(), photograph_from * out.width());
   }
   return out;
 }

@@ -12,8 +12,9 @@ namespace etak {
 struct SavedView {
   ViewState state;
   ViewDisplay display;
-  QImage photograph;  // in place of side b; null: none
-  QSize size;         // of the viewport in device pixels
+  QImage photograph;           // in place of side b; null: none
+  double photograph_from = 0;  // the share of the width from which on it is seen
+  QSize size;                  // of the viewport in device pixels
 
   /// The refined picture, drawn by the CPU renderer of core. Throws Error.
   ///   transparent   without what is behind the object, and without the photograph; the opacity is the alpha of the picture

@@ -69,29 +69,30 @@ void Viewport::Private::use_cpu(const QString& why) {
   no_gl = why;
   delete gl;
   gl = nullptr;
-  if (cpu == nullptr) {
-    cpu = new CpuView(&q);
-    cpu->setAttribute(Qt::WA_TransparentForMouseEvents);
-    cpu->setGeometry(q.rect());
-    cpu->show();
-    overlay->raise();
-    QObject::connect(cpu, &CpuView::drawn, &q, [this](double ms) {
-      frame_ms = ms;
-      refusal.clear();
-      tell_message();
-      emit q.frame_drawn(ms);
-    });
-    QObject::connect(cpu, &CpuView::refused, &q, [this](const QString& message) {
-      refusal = message;
-      tell_message();
-    });
-    QTimer::singleShot(cpu_note_ms, &q, [this] {
-      cpu_note_over = true;
-      refresh_overlay();
-    });
-  }
+  QTimer::singleShot(cpu_note_ms, &q, [this] {
+    cpu_note_over = true;
+    refresh_overlay();
+  });
   refresh();
   emit q.backend_changed(false);
+}
+
+void Viewport::Private::make_cpu() {
+  cpu = new CpuView(&q);
+  cpu->setAttribute(Qt::WA_TransparentForMouseEvents);
+  cpu->setGeometry(q.rect());
+  cpu->show();
+  overlay->raise();
+  QObject::connect(cpu, &CpuView::drawn, &q, [this](double ms) {
+    frame_ms = ms;
+    refusal.clear();
+    tell_message();
+    emit q.frame_drawn(ms);
+  });
+  QObject::connect(cpu, &CpuView::refused, &q, [this](const QString& message) {
+    refusal = message;
+    tell_message();
+  });
 }
 
 void Viewport::recover_from_lost_context() {
@@ -115,8 +116,14 @@ void Viewport::Private::refresh() {
     open_display();
   }
   const bool hurry = q.is_hurried();
-  if (gl != nullptr) gl->show_state(shown_state(), display, hurry);
-  if (cpu != nullptr) cpu->show_state(shown_state(), display, hurry);
+  const bool by_cpu = draws_by_cpu();
+  if (by_cpu && cpu == nullptr) make_cpu();
+  if (cpu != nullptr) cpu->setVisible(by_cpu);
+  if (gl != nullptr) gl->setVisible(!by_cpu);
+  if (by_cpu)
+    cpu->show_state(shown_state(), display, hurry);
+  else
+    gl->show_state(shown_state(), display, hurry);
   refresh_overlay();
   tell_message();
 }
@@ -202,7 +209,7 @@ std::function<DifferencePicture()> Viewport::difference_work(int width) const {
 
 SavedView Viewport::saved_view() const {
   return {d_->shown_state(), d_->display, d_->shows_photograph() ? d_->photograph : QImage(),
-          d_->picture_size()};
+          d_->photograph_from(), d_->picture_size()};
 }
 
 QImage Viewport::grab_picture(bool refined) {
@@ -215,11 +222,11 @@ QImage Viewport::grab_picture(bool refined) {
       d_->openers.waitForDone();
       d_->display = etak::open_display(s.ocio_config, s.ocio_display, s.ocio_view, s.tone);
     }
-    QImage out = d_->gl != nullptr ? d_->gl->picture(state, d_->display, size)
-                                   : cpu_picture(state, d_->display, size, thread_count(0));
+    QImage out = d_->draws_by_cpu() ? cpu_picture(state, d_->display, size, thread_count(0))
+                                    : d_->gl->picture(state, d_->display, size);
     if (d_->shows_photograph()) {
       QPainter painter(&out);
-      paint_photograph(painter, d_->photograph, out.rect(), d_->flipped ? 0 : state.separator * out.width());
+      paint_photograph(painter, d_->photograph, out.rect(), d_->photograph_from() * out.width());
     }
     return out;
   } catch (const Error& error) {
@@ -232,8 +239,7 @@ QImage Viewport::grab_picture(bool refined) {
 }
 
 bool Viewport::is_refining() const {
-  return is_drawing() || (d_->gl != nullptr && d_->gl->is_refining()) ||
-         (d_->cpu != nullptr && d_->cpu->is_refining());
+  return is_drawing() || (d_->draws_by_cpu() ? d_->cpu->is_refining() : d_->gl->is_refining());
 }
 
 bool Viewport::is_hurried() const {
@@ -241,17 +247,16 @@ bool Viewport::is_hurried() const {
 }
 
 bool Viewport::is_drawing() const {
-  return d_->opening || (d_->gl != nullptr && d_->gl->is_drawing()) ||
-         (d_->cpu != nullptr && d_->cpu->is_drawing());
+  return d_->opening || (d_->draws_by_cpu() ? d_->cpu->is_drawing() : d_->gl->is_drawing());
 }
 bool Viewport::uses_gl() const {
-  return d_->gl != nullptr;
+  return !d_->draws_by_cpu();
 }
 QString Viewport::gl_name() const {
   return d_->gl == nullptr ? QString() : d_->gl->gl_name();
 }
 QString Viewport::fallback_reason() const {
-  return d_->no_gl;
+  return d_->gl != nullptr && d_->draws_by_cpu() ? tr("Meshes are drawn by the CPU.") : d_->no_gl;
 }
 QString Viewport::message() const {
   return d_->message();

@@ -52,6 +52,8 @@ class Viewport::Private {
 
   void use_gl();
   void use_cpu(const QString& why);
+  void make_cpu();
+  bool draws_by_cpu() const { return gl == nullptr || state.mesh != nullptr; }
   ViewState shown_state() const;
   void refresh();  // updates picture and overlay
   void refresh_overlay();
@@ -67,6 +69,8 @@ class Viewport::Private {
   bool shows_photograph() const {
     return state.split && state.shape != ViewShape::wedge && !photograph.isNull();
   }
+  /// From which share of the width on.
+  double photograph_from() const { return flipped ? 0 : state.separator; }
   bool on_separator(const QPointF& position) const;
   void edited();  // the user has changed the state: draws it and emits state_edited()
   void begin(Drag kind, const QPointF& position);

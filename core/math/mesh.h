@@ -23,6 +23,10 @@ struct Mesh {
   bool has_uvs = true;
 };
 
+constexpr Vec3 widened(const std::array<float, 3>& v) {
+  return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

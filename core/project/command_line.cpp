@@ -94,6 +94,7 @@ CommandLine render_command(const Project& project, const ProjectMaterial& materi
   add_models(material, engine, line);
   add_lights(view, line, out.left_out);
   if (view.shape == Shape::quad) line.word("--quad");
+  if (!view.mesh.empty()) line.option("--mesh", view.mesh);
   line.option("--exposure", view.exposure, 1);
   if (view.tone != Tone::plain && engine.empty()) line.option("--tone", std::string(name(view.tone)));
   line.option("--background", color(view.background));

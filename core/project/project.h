@@ -132,6 +132,7 @@ struct Wedge {
 ///   config, display, view   of OpenColorIO; all empty: the tone curve and sRGB
 struct ProjectView {
   Shape shape = Shape::sphere;
+  std::string mesh;  // in place of spheres, as shown_mesh() takes it; empty: none
   LightSetup lights = studio_lights();
   double environment_turn_deg = 0;
   double exposure = 1;

@@ -13,6 +13,7 @@
 #include "core/material/material_node_json.h"
 #include "core/project/project.h"
 #include "core/render/display.h"
+#include "core/render/mesh_shape.h"
 
 namespace etak {
 namespace {
@@ -54,14 +55,17 @@ class Reader {
 
  private:
   ProjectView view(const JsonNode& node) const {
-    node.expect_object({"shape", "lights", "environment_turn_deg", "exposure", "ocio", "tone", "backdrop",
-                        "compare", "wedge"});
+    node.expect_object({"shape", "mesh", "lights", "environment_turn_deg", "exposure", "ocio", "tone",
+                        "backdrop", "compare", "wedge"});
     ProjectView out;
     if (node.has("shape")) {
       const std::string shape = node.at("shape").text();
       if (shape != "sphere" && shape != "quad") node.at("shape").fail_type("sphere or quad");
       out.shape = shape == "quad" ? Shape::quad : Shape::sphere;
     }
+    out.mesh = node.text_or_empty("mesh");
+    if (!out.mesh.empty() && out.mesh != shader_ball_name)
+      out.mesh = path_beside(sys::path_text(folder_), out.mesh);
     if (node.has("lights")) {
       const JsonNode lights = node.at("lights");
       out.lights = parse_lights(lights.value.dump(), std::string(node.file) + '#' + lights.pointer);
@@ -259,6 +263,8 @@ class Writer {
                                     {"lights", format_lights(lights, 4)},
                                     {"environment_turn_deg", json(view.environment_turn_deg)},
                                     {"exposure", json(view.exposure)}};
+    if (!view.mesh.empty())
+      members.push_back({"mesh", json(view.mesh == shader_ball_name ? view.mesh : path(view.mesh))});
     std::vector<JsonMember> ocio;
     for (const auto& [key, value] : {std::pair("config", &view.config), std::pair("display", &view.display),
                                      std::pair("view", &view.view)})

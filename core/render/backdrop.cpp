@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/backdrop.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/math/functions.h"
+#include "core/render/mesh_shape.h"
 
 namespace etak {
 namespace {
@@ -27,7 +29,16 @@ SceneBackdrop::SceneBackdrop(const Scene& scene, const Environment* environment,
       axes_(camera.axes()),
       rays_(camera),
       turn_(scene.environment_turn_deg),
-      ground_(scene.backdrop.ground && scene.shape == Shape::sphere) {
+      ground_(scene.backdrop.ground && scene.shape == Shape::sphere),
+      mesh_(scene.mesh.get()) {
+  // Parallel rays see the foot of a mesh where its middle is, and those of the backdrop, which part, its front nearer by.
+  // The shadow is moved, so that it begins where the foot ends.
+  if (ground_ && mesh_ != nullptr && !camera.perspective()) {
+    const Vec3& back = axes_[2];
+    const double reach = mesh_->foot_reach({back[0], 0, back[2]});
+    const double length = std::max(math::hypot(back[0], back[2]), 1e-9);
+    shift_ = {back[0] / length * reach, back[2] / length * reach};
+  }
   if (scene.backdrop.environment && environment != nullptr) seen_ = environment->blurred(scene.backdrop.blur);
 }
 
@@ -42,6 +53,13 @@ Vec3 SceneBackdrop::at(double x, double y) const {
   }
   const Vec3 seen = seen_ ? seen_->at(turn_.to_map(sight)) : color_;
   if (!ground_) return seen;
+  if (mesh_ != nullptr) {
+    const double above = eye[1] - mesh_->ground();
+    if (!(sight[1] < 0) || !(above > 0)) return seen;
+    const double t = above / std::max(-sight[1], 1e-4);
+    return scaled(seen,
+                  mesh_->ground_light(eye[0] + sight[0] * t + shift_[0], eye[2] + sight[2] * t + shift_[1]));
+  }
   return scaled(seen, f64::ground_light({eye[0], eye[1], eye[2]}, {sight[0], sight[1], sight[2]}));
 }
 

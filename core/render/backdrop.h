@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/render/camera.h"
@@ -17,7 +18,7 @@ struct BackdropRays {
 };
 
 /// What is seen beside the object and through it, by the scene's Backdrop: the background's colour or the
-/// environment, times the light that a ball leaves on the ground.
+/// environment, times the light that the ball or the mesh leaves on the ground.
 class SceneBackdrop {
  public:
   ///   environment   null: none, and its colour is the background's
@@ -37,6 +38,8 @@ class SceneBackdrop {
   EnvironmentTurn turn_;
   std::optional<Environment::Blurred> seen_;
   bool ground_;
+  std::array<double, 2> shift_{};  // of the mesh's shadow along x and z
+  const MeshShape* mesh_;          // whose shadow the ground has; null: the ball's
 };
 
 }  // namespace etak

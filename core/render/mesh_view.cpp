@@ -5,8 +5,6 @@
 #include <cmath>
 #include <span>
 
-#include "core/base/error.h"
-
 namespace etak {
 namespace {
 
@@ -14,9 +12,6 @@ constexpr int side = 4;  // samples of a pixel along one of its sides
 constexpr float nothing = -2;
 const double least_cosine = std::sqrt(1 - silhouette_limit * silhouette_limit);  // of a normal and the viewer
 
-Vec3 wide(const std::array<float, 3>& v) {
-  return {double{v[0]}, double{v[1]}, double{v[2]}};
-}
 void add(Vec3& sum, const Vec3& v, double by) {
   for (std::size_t i = 0; i < 3; ++i) sum[i] += v[i] * by;
 }
@@ -28,6 +23,7 @@ Vec3 unit(const Vec3& v) {
 struct Group {
   Vec3 first_position, first_normal, position{}, normal{};
   std::array<double, 2> first_uv, uv{};
+  double open = 0;
   int count = 0;
 
   // Whether the light and the texel there are as good as those of the first sample.
@@ -41,36 +37,14 @@ struct Group {
 
 }  // namespace
 
-Mesh in_place_of_ball(Mesh mesh, const std::string& place) {
-  Vec3 least{1e30, 1e30, 1e30}, most{-1e30, -1e30, -1e30}, middle{};
-  for (const Mesh::Vertex& vertex : mesh.vertices)
-    for (std::size_t i = 0; i < 3; ++i) {
-      least[i] = std::min(least[i], double{vertex.position[i]});
-      most[i] = std::max(most[i], double{vertex.position[i]});
-    }
-  add(middle, least, 0.5);
-  add(middle, most, 0.5);
-  const auto from_middle = [&](const Mesh::Vertex& vertex) {
-    Vec3 out = wide(vertex.position);
-    add(out, middle, -1);
-    return out;
-  };
-  double reach = 0;
-  for (const Mesh::Vertex& vertex : mesh.vertices)
-    reach = std::max(reach, std::sqrt(dot(from_middle(vertex), from_middle(vertex))));
-  if (mesh.triangles.empty() || !(reach > 0))
-    throw Error::at(place, "no triangle of any size", "a mesh of triangles");
-  for (Mesh::Vertex& vertex : mesh.vertices) {
-    const Vec3 there = scaled(from_middle(vertex), 1 / reach);
-    for (std::size_t i = 0; i < 3; ++i) vertex.position[i] = static_cast<float>(there[i]);
-  }
-  return mesh;
-}
-
-MeshView::MeshView(const Mesh& mesh, const Camera& camera, int width, int height)
-    : mesh_(mesh), camera_(camera), width_(width), first_(static_cast<std::size_t>(height) + 1) {
-  for (const Mesh::Vertex& vertex : mesh.vertices) {
-    const Vec3 at = camera.axes() * wide(vertex.position);
+MeshView::MeshView(const MeshShape& shape, const Camera& camera, int width, int height)
+    : shape_(shape),
+      mesh_(shape.mesh()),
+      camera_(camera),
+      width_(width),
+      first_(static_cast<std::size_t>(height) + 1) {
+  for (const Mesh::Vertex& vertex : mesh_.vertices) {
+    const Vec3 at = camera.axes() * widened(vertex.position);
     seen_.push_back(
         {at[0], at[1], camera.perspective() ? camera.spread() * (camera.distance() - at[2]) : 1.0});
     near_.push_back(static_cast<float>(at[2]));
@@ -78,7 +52,7 @@ MeshView::MeshView(const Mesh& mesh, const Camera& camera, int width, int height
   // Once to count the triangles of each row, once to put them there.
   const auto each_row = [&](std::uint32_t triangle, const auto& visit) {
     double low = 1e30, high = -1e30;
-    for (const std::uint32_t corner : mesh.triangles[triangle]) {
+    for (const std::uint32_t corner : mesh_.triangles[triangle]) {
       const double y = seen_[corner][1] / seen_[corner][2];
       low = std::min(low, y);
       high = std::max(high, y);
@@ -89,7 +63,7 @@ MeshView::MeshView(const Mesh& mesh, const Camera& camera, int width, int height
     for (int row = std::max(0, row_of(high)); row <= std::min(height - 1, row_of(low)); ++row)
       visit(static_cast<std::size_t>(row));
   };
-  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  const auto count = static_cast<std::uint32_t>(mesh_.triangles.size());
   for (std::uint32_t i = 0; i < count; ++i) each_row(i, [&](std::size_t row) { ++first_[row + 1]; });
   for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
   of_rows_.resize(first_.back());
@@ -141,26 +115,28 @@ void MeshView::gather(int column, Samples& samples) const {
     std::array<double, 2> uv{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Mesh::Vertex& vertex = mesh_.vertices[corners[i]];
-      add(position, wide(vertex.position), shares[i]);
-      add(normal, wide(vertex.normal), shares[i]);
-      add(mean, wide(vertex.normal), 1);
+      add(position, widened(vertex.position), shares[i]);
+      add(normal, widened(vertex.normal), shares[i]);
+      add(mean, widened(vertex.normal), 1);
       for (std::size_t c = 0; c < 2; ++c) uv[c] += shares[i] * double{vertex.uv[c]};
     }
     // A surface has both sides: the normal is that of the side that is seen.
     const Vec3 &a = seen_[corners[0]], &b = seen_[corners[1]], &c = seen_[corners[2]];
-    Vec3 along = wide(mesh_.vertices[corners[1]].position),
-         across = wide(mesh_.vertices[corners[2]].position);
-    add(along, wide(mesh_.vertices[corners[0]].position), -1);
-    add(across, wide(mesh_.vertices[corners[0]].position), -1);
+    Vec3 along = widened(mesh_.vertices[corners[1]].position),
+         across = widened(mesh_.vertices[corners[2]].position);
+    add(along, widened(mesh_.vertices[corners[0]].position), -1);
+    add(across, widened(mesh_.vertices[corners[0]].position), -1);
     const bool in_front = dot(cross(a, b), c) > 0, outwards = dot(cross(along, across), mean) > 0;
-    normal = scaled(unit(normal), in_front == outwards ? 1 : -1);
+    const bool turned = in_front != outwards;
+    normal = scaled(unit(normal), turned ? -1 : 1);
     Group* group = std::find_if(groups, groups + used, [&](const Group& each) {
       return each.takes(position, normal, uv, camera_.pixel());
     });
-    if (group == groups + used) groups[used++] = {position, normal, {}, {}, uv, {}, 0};
+    if (group == groups + used) groups[used++] = {position, normal, {}, {}, uv, {}, 0, 0};
     add(group->position, position, 1);
     add(group->normal, normal, 1);
     for (std::size_t i = 0; i < 2; ++i) group->uv[i] += uv[i];
+    for (std::size_t i = 0; i < 3; ++i) group->open += shares[i] * double{shape_.open(corners[i], turned)};
     ++group->count;
   }
   for (const Group& each : std::span(groups, static_cast<std::size_t>(used))) {
@@ -178,7 +154,8 @@ void MeshView::gather(int column, Samples& samples) const {
                                  position,
                                  unit(normal),
                                  viewer,
-                                 {each.uv[0] * part, each.uv[1] * part}});
+                                 {each.uv[0] * part, each.uv[1] * part},
+                                 each.open * part});
   }
 }
 

@@ -3,15 +3,10 @@
 
 #include <vector>
 
-#include "core/math/mesh.h"
 #include "core/render/camera.h"
+#include "core/render/mesh_shape.h"
 
 namespace etak {
-
-/// The mesh moved and scaled to the place of the ball: the middle of its box is the origin, and its farthest vertex
-/// has the distance 1. Throws Error for one without triangles or size.
-///   place   of the error
-Mesh in_place_of_ball(Mesh mesh, const std::string& place);
 
 /// What pixels see of a mesh. A pixel has 4 x 4 samples; those of one surface are shaded once, at their mean.
 class MeshView {
@@ -23,6 +18,7 @@ class MeshView {
     double share;  // of the pixel, (0, 1]
     Vec3 position, normal, viewer;
     std::array<double, 2> uv;
+    double open;  // share of light from all around that reaches it
   };
   /// The memory of one thread.
   struct Samples {
@@ -32,7 +28,7 @@ class MeshView {
     std::vector<Fragment> fragments;          // of the last row that was asked for, by column
   };
 
-  MeshView(const Mesh& mesh, const Camera& camera, int width, int height);
+  MeshView(const MeshShape& shape, const Camera& camera, int width, int height);
 
   /// Fills the fragments of a row of pixels.
   void see(int row, Samples& samples) const;
@@ -41,6 +37,7 @@ class MeshView {
   void cover(int row, std::uint32_t triangle, Samples& samples) const;
   void gather(int column, Samples& samples) const;
 
+  const MeshShape& shape_;
   const Mesh& mesh_;
   const Camera& camera_;
   int width_;

@@ -19,7 +19,7 @@
 
 namespace etak {
 
-struct Mesh;  // core/math/mesh.h
+class MeshShape;  // core/render/mesh_shape.h
 
 /// What goes through layers on a clear base.
 ///   n       of the base against the outside
@@ -192,8 +192,9 @@ struct Backdrop {
 ///                 at its centre, moved inwards where that lies beyond r = 0.9999
 ///   quad          the square |x|, |y| <= 1 in the plane z = 0, normal +z; coverage = product of the sphere's
 ///                 expression for r = |x| and for r = |y|
-///   mesh          drawn on the CPU alone, without shadows of itself; a pixel is the mean of 4 x 4 samples, of
-///                 which those of one surface are shaded once (mesh_view.h)
+///   mesh          drawn on the CPU alone; a pixel is the mean of 4 x 4 samples, of which those of one surface are
+///                 shaded once (mesh_view.h). It keeps light from itself: of lights by rays, of hemispheres and
+///                 environment by its vertices' share of open sky (mesh_shape.h)
 ///   frame         tangent t = normalize(cross(y, n)), the x axis where |cross|^2 < 1e-12; bitangent
 ///                 b = cross(n, t)
 ///   light         sum of f_r E nl, times pi where `pi_scaled`; hemispheres and environment use diffuse, f0
@@ -216,7 +217,7 @@ struct Backdrop {
 ///                 the coverage
 struct Scene {
   Shape shape = Shape::sphere;
-  std::shared_ptr<const Mesh> mesh;  // in place of the sphere; null: none
+  std::shared_ptr<const MeshShape> mesh;  // in place of the sphere; null: none
   SurfaceValues surface;
   const Model* specular = nullptr;  // may be of kind both; null: no specular part
   std::vector<double> specular_values;

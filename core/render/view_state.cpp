@@ -10,6 +10,7 @@
 #include "core/render/energy.h"
 #include "core/render/environment.h"
 #include "core/render/ground_bounce.h"
+#include "core/render/mesh_shape.h"
 
 namespace etak {
 namespace {
@@ -20,6 +21,7 @@ Scene frame_of(const ViewState& state, int width, int height) {
   out.width = width;
   out.height = height;
   out.shape = state.shape == ViewShape::quad ? Shape::quad : Shape::sphere;
+  if (out.shape == Shape::sphere) out.mesh = state.mesh;
   out.lights = with_ground(state.lights);
   out.lights.environment = state.environment ? "given" : "";
   out.environment_turn_deg = state.environment_turn_deg;
@@ -46,6 +48,8 @@ void set_side(const ViewSide& side, bool energy_overlay, Scene& scene) {
   scene.diffuse_values = std::move(fitted.diffuse_values);
   scene.textures = side.textures;
   scene.texture_scale = side.texture_scale;
+  if (scene.mesh && scene.textures && !scene.mesh->mesh().has_uvs)
+    throw Error::at("mesh", "has no UVs", "TEXCOORD_0 in each primitive, by which textures are laid");
   // The albedo is computed here, so that the CPU and the GPU mark the same pixels.
   if (energy_overlay) scene.mark_energy = quick_albedo(scene, 17);
 }
@@ -87,7 +91,7 @@ std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height) 
       if (first >= last) return;
       ViewTile tile{frame_of(state, width, height), 0, 0, first, last};
       set_side(side, state.energy_overlay, tile.scene);
-      validate(tile.scene);
+      validate(tile.scene, true);
       out.push_back(std::move(tile));
     };
     add(state.a, 0, middle);
@@ -106,7 +110,7 @@ std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height) 
       set_side(wedge_side(row == 0 ? state.a : state.b, state.wedge_parameter,
                           double(i) / (state.wedge_steps - 1)),
                state.energy_overlay, tile.scene);
-      validate(tile.scene);
+      validate(tile.scene, true);
       out.push_back(std::move(tile));
     }
   return out;

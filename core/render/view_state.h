@@ -33,6 +33,7 @@ struct ViewState {
   bool split = false;      // both: a left of the separator, b right of it; in a wedge, a above and b below
   double separator = 0.5;  // share of the width
   ViewShape shape = ViewShape::sphere;
+  std::shared_ptr<const MeshShape> mesh;  // in place of spheres; drawn by the CPU alone; null: none
   std::string wedge_parameter = "gloss";  // "gloss", "opacity" or a parameter of a model
   int wedge_steps = 7;                    // spheres in a row, 2 to 16
   LightSetup lights;                      // the environment's file and scale in it are ignored

@@ -33,6 +33,27 @@ const ProjectView& seen_by(TestWindow& window) {
   return window->document().project().view;
 }
 
+void write_pyramid(const QString& file) {
+  constexpr float s = 0.70710678f;
+  const float corners[] = {-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1, 0, 1.5f, 0};
+  const float normals[] = {-s, 0, -s, s, 0, -s, s, 0, s, -s, 0, s, 0, 1, 0};
+  const std::uint16_t triangles[] = {0, 4, 1, 1, 4, 2, 2, 4, 3, 3, 4, 0, 0, 1, 2, 0, 2, 3};
+  QByteArray bytes;
+  bytes.append(reinterpret_cast<const char*>(corners), sizeof corners);
+  bytes.append(reinterpret_cast<const char*>(normals), sizeof normals);
+  bytes.append(reinterpret_cast<const char*>(triangles), sizeof triangles);
+  const char* const scene = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"indices":2}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":5,"type":"VEC3","min":[-1,0,-1],"max":[1,1.5,1]},
+{"bufferView":1,"componentType":5126,"count":5,"type":"VEC3"},
+{"bufferView":2,"componentType":5123,"count":18,"type":"SCALAR"}],
+"bufferViews":[{"buffer":0,"byteLength":60},{"buffer":0,"byteOffset":60,"byteLength":60},
+{"buffer":0,"byteOffset":120,"byteLength":36}],
+"buffers":[{"byteLength":156,"uri":"data:application/octet-stream;base64,BYTES"}]})";
+  write(file, QByteArray(scene).replace("BYTES", bytes.toBase64()));
+}
+
 }  // namespace
 
 class EditorBar : public QObject {
@@ -96,6 +117,51 @@ class EditorBar : public QObject {
     QCOMPARE(exposure->value(), 0.0);
     QCOMPARE(shape->currentIndex(), 0);
     QCOMPARE(tone->currentIndex(), 1);
+  }
+
+  void a_shader_ball_and_a_mesh_of_ones_own_stand_in_place_of_the_sphere() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material("gold"));
+    show_active(window);
+    QVERIFY(window.settle());
+    auto* shape = named<QComboBox>(bar_of(window), "Shown on");
+    const QImage sphere = window->viewport().grab_picture();
+    shape->setFocus();
+    for (int i = 0; i < 3; ++i) QTest::keyClick(shape, Qt::Key_Down);
+    QCOMPARE(shape->currentText(), QStringLiteral("shader ball"));
+    QCOMPARE(seen_by(window).mesh, std::string("shader-ball"));
+    QVERIFY(window.settle());
+    const QImage ball = window->viewport().grab_picture();
+    QVERIFY(ball != sphere);
+    QVERIFY(!window->viewport().uses_gl());
+    QVERIFY(!window->viewport().fallback_reason().isEmpty());
+
+    // A mesh of a file: a pyramid that this test writes.
+    const QString file = window.file("own pyramid.gltf");
+    write_pyramid(file);
+    choose_file(file);
+    QTest::keyClick(shape, Qt::Key_Down);
+    QTRY_COMPARE(seen_by(window).mesh, file.toStdString());
+    QVERIFY(window.settle());
+    QCOMPARE(shape->currentText(), QStringLiteral("own pyramid.gltf"));
+    QVERIFY(window->viewport().grab_picture() != ball);
+
+    // One that cannot be read is told by its name, and the sphere is shown.
+    const QString broken = window.file("broken.glb");
+    QFile out(broken);
+    QVERIFY(out.open(QIODevice::WriteOnly) && out.write("no glTF") > 0);
+    out.close();
+    choose_file(broken);
+    emit shape->activated(4);
+    QTRY_COMPARE(seen_by(window).mesh, broken.toStdString());
+    QVERIFY(window.settle());
+    QVERIFY(shown_message(window).contains(QStringLiteral("broken.glb")));
+    QTRY_COMPARE(window->viewport().grab_picture(), sphere);
+    QVERIFY(window->viewport().uses_gl() || !window->viewport().fallback_reason().isEmpty());
+    while (window->document().view_stack().canUndo()) window->document().view_stack().undo();
+    QVERIFY(window.settle());
+    QCOMPARE(shape->currentText(), QStringLiteral("sphere"));
+    QTRY_COMPARE(window->viewport().grab_picture(), sphere);
   }
 
   void buttons_switch_comparison_backdrop_and_overlays() {

@@ -62,6 +62,18 @@ class EditorCompare : public QObject {
     const QImage photo(file);
     const QPoint right(saved.width() * 3 / 4, saved.height() / 2);
     QCOMPARE(saved.pixelColor(right), photo.pixelColor(right));
+    // So has one of another size, and it has the photograph everywhere while the sides are flipped.
+    const QPoint left(saved.width() / 4, saved.height() / 2);
+    const auto colour_at = [&](const QPoint& place) {
+      const SavedView view = window->viewport().saved_view();
+      return view.picture(view.size, false, {}).pixelColor(place);
+    };
+    QCOMPARE(colour_at(right), photo.pixelColor(right));
+    QVERIFY(colour_at(left) != photo.pixelColor(left));
+    window->viewport().set_flipped(true);
+    QCOMPARE(colour_at(left), photo.pixelColor(left));
+    QCOMPARE(window->viewport().grab_picture(true).pixelColor(left), photo.pixelColor(left));
+    window->viewport().set_flipped(false);
     QTest::mouseClick(named<QPushButton>(window->view_panel(), "Unpin side B"), Qt::LeftButton);
     QVERIFY(window.settle());
     QTRY_COMPARE(mean_told(window).value_or(99), 0.0);  // side B is the material in hand again

@@ -23,16 +23,15 @@
 #include "core/image/files/png.h"
 #include "core/image/image_io.h"
 #include "core/image/mesh_codecs.h"
+#include "core/project/shown_mesh.h"
 #include "core/render/ambient/accuracy.h"
 #include "core/render/ambient/ambient.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/display.h"
 #include "core/render/engines.h"
 #include "core/render/ground_bounce.h"
-#include "core/render/mesh_view.h"
 #include "core/render/reference.h"
 #include "core/render/view_moves.h"
-#include "core/scene/gltf.h"
 
 namespace etak::cli {
 namespace {
@@ -274,23 +273,19 @@ void become_engine(const RenderArguments& arguments, const Environment* light, u
 }
 
 // The mesh of --mesh; null without that.
-std::shared_ptr<const Mesh> mesh_of(const RenderArguments& arguments) {
-  const std::string& path = arguments.mesh;
-  if (path.empty()) return nullptr;
-  if (!is_gltf_file(path)) throw Error::at(printable(path, 200), "no glTF scene", ".gltf or .glb");
-  GltfOptions options;
-  options.mesh = true;
-  options.mesh_door = mesh_door();
-  Mesh mesh = read_gltf(path, options).mesh;
-  if (arguments.scene.textures && !mesh.has_uvs)
-    throw Error::at(path, "a mesh without UVs", "TEXCOORD_0 in each primitive, by which textures are laid");
-  return std::make_shared<const Mesh>(in_place_of_ball(std::move(mesh), path));
+std::shared_ptr<const MeshShape> mesh_of(const RenderArguments& arguments, unsigned threads) {
+  const std::string& name = arguments.mesh;
+  if (name.empty()) return nullptr;
+  const auto out = shown_mesh(name, mesh_door(), threads);
+  if (arguments.scene.textures && !out->mesh().has_uvs)
+    throw Error::at(name, "a mesh without UVs", "TEXCOORD_0 in each primitive, by which textures are laid");
+  return out;
 }
 
 // What the objects of a sweep share.
 //   environment   null until the first object is drawn
 struct Shared {
-  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const MeshShape> mesh;
   std::shared_ptr<const Environment> environment;
 };
 
@@ -333,7 +328,7 @@ int draw_within_memory(RenderArguments& arguments) {
   arguments.scene.refined = arguments.ambient == "refined" && !arguments.reference;
   read_textures(arguments.scene);
   Scene scene;
-  Shared shared{mesh_of(arguments), nullptr};
+  Shared shared{mesh_of(arguments, threads), nullptr};
   if (!arguments.sweep.empty()) {
     // Only the worst of the curves of layers is told.
     double worst = -1;

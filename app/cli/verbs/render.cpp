@@ -29,7 +29,7 @@ void add_render(CommandLine& line) {
       .value_name("FILE");
   verb.option(
           "--mesh", arguments->mesh,
-          "a glTF scene of triangles with normals in place of the sphere, moved and scaled to its size; its own materials are not looked at, and it casts no shadow")
+          "a glTF scene of triangles with normals in place of the sphere, moved and scaled to its size, or shader-ball, a shape of etak; materials of the scene are not looked at")
       .reads_file()
       .value_name("FILE");
   verb.option(

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/document/press_id.h"
+#include "app/editor/panels/shape_box.h"
 #include "app/editor/panels/view_panel.h"
 #include "app/fields/flow_layout.h"
 #include "app/viewport/qt_text.h"
@@ -19,15 +20,17 @@ ViewBar::ViewBar(Document& document, QWidget* parent)
       document_(document),
       environment_(new QuietComboBox(tr("Environment"), this)),
       tone_(new QuietComboBox(tr("Tone curve"), this)),
-      shape_(new QuietComboBox(tr("Shown on"), this)),
+      shape_(new ShapeBox(document, tr("Shown on"), this)),
       exposure_(new FineSpinBox(this)) {
   setAccessibleName(tr("Bar of the viewport"));
   auto* row = new FlowLayout(3, this);
   row->setContentsMargins(3, 3, 3, 3);
   for (QWidget* each : std::initializer_list<QWidget*>{environment_, exposure_, tone_, shape_})
     row->addWidget(each);
-  for (QuietComboBox* each : {environment_, tone_, shape_}) each->setMinimumContentsLength(5);
+  for (QComboBox* each : std::initializer_list<QComboBox*>{environment_, tone_, shape_})
+    each->setMinimumContentsLength(5);
   tone_->setMinimumContentsLength(9);
+  shape_->setMinimumContentsLength(7);
   make_environment();
   make_picture();
   connect(&document, &Document::view_changed, this, &ViewBar::show_view);
@@ -73,12 +76,7 @@ void ViewBar::make_picture() {
     document_.change_view(tr("tone curve"), next_press_id(),
                           [&](ProjectView& view) { view.tone = tones[static_cast<std::size_t>(row)]; });
   });
-  shape_->setToolTip(tr("What the material is shown on"));
-  shape_->addItems({tr("sphere"), tr("quad"), tr("wedge")});
-  connect(shape_, &QComboBox::activated, this, [this](int row) {
-    document_.change_view(tr("shape"), next_press_id(),
-                          [&](ProjectView& view) { shape_of_view().set(view, row); });
-  });
+  connect(shape_, &ShapeBox::mesh_asked, this, &ViewBar::mesh_asked);
 }
 
 void ViewBar::add(QAction* action) {
@@ -114,7 +112,6 @@ void ViewBar::show_view() {
   const bool plain = view.config.empty() && view.display.empty() && view.view.empty();
   tone_->setCurrentIndex(plain ? static_cast<int>(std::ranges::find(tones, view.tone) - tones.begin()) : -1);
   tone_->setEnabled(plain);
-  shape_->setCurrentIndex(shape_of_view().get(view));
 }
 
 }  // namespace etak::editor

@@ -11,6 +11,7 @@ namespace etak::editor {
 
 class FineSpinBox;
 class QuietComboBox;
+class ShapeBox;
 
 /// The bar above the viewport, with what is switched most often: environment, exposure, tone curve and shape, and buttons
 /// of the window's actions. A narrow one has several lines.
@@ -27,6 +28,7 @@ class ViewBar : public QWidget {
 
  signals:
   void open_environment_asked();
+  void mesh_asked();
 
  private:
   void make_environment();
@@ -34,7 +36,8 @@ class ViewBar : public QWidget {
   void show_view();
 
   Document& document_;
-  QuietComboBox *environment_, *tone_, *shape_;
+  QuietComboBox *environment_, *tone_;
+  ShapeBox* shape_;
   FineSpinBox* exposure_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "app/editor/panels/difference_map.h"
 #include "app/editor/panels/inspector/model_list.h"
+#include "app/editor/panels/shape_box.h"
 #include "app/fields/add_button.h"
 #include "app/fields/path_edit.h"
 #include "app/viewport/background.h"
@@ -210,8 +211,9 @@ void ViewPanel::show_displays(const ReadDisplays& read) {
 
 void ViewPanel::make_shape() {
   Section& section = add_section(tr("Shape"));
-  view_.in(section).choice({tr("Shape"), "", tr("What the material is shown on")},
-                           {tr("sphere"), tr("quad"), tr("wedge of a parameter")}, shape_of_view());
+  auto* shape = new ShapeBox(document_, tr("Shape"), &section);
+  section.add(tr("Shape"), shape, shape->toolTip());
+  connect(shape, &ShapeBox::mesh_asked, this, &ViewPanel::mesh_asked);
   const auto wedge_on = [](const ProjectView& v) { return v.wedge.on; };
   auto* parameter = new QuietComboBox(tr("Parameter of the wedge"), &section);
   section.add(tr("Wedge of"), parameter,

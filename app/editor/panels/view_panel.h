@@ -17,17 +17,6 @@ inline auto stops_of_exposure() {
 
 class DifferenceMap;
 
-/// What the material is shown on, as a choice of three: sphere, quad, wedge.
-inline auto shape_of_view() {
-  return Computed{[](const ProjectView& v) { return v.wedge.on               ? 2
-                                                    : v.shape == Shape::quad ? 1
-                                                                             : 0; },
-                  [](ProjectView& v, int row) {
-                    v.wedge.on = row == 2;
-                    if (row != 2) v.shape = row == 1 ? Shape::quad : Shape::sphere;
-                  }};
-}
-
 /// The tone curves of the plain display, and the titles that the registry gives them.
 inline constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like, Tone::filament,
                                   Tone::false_color};
@@ -51,6 +40,7 @@ class ViewPanel : public PanelScroll {
  signals:
   void look_changed();
   void pin_asked();
+  void mesh_asked();
   void photograph_asked();
   void photograph_ended();
 

@@ -33,6 +33,7 @@ void draw_mesh_row(const Shading& shading, const MeshView& view, int row, MeshRo
         c.viewer[axis][i] = real(at.viewer[axis]);
       }
       for (std::size_t axis = 0; axis < 2; ++axis) c.uv[axis][i] = real(at.uv[axis]);
+      c.open[i] = real(at.open);
     }
     shade(shading, c);
     for (std::size_t i = 0; i < c.count; ++i) {

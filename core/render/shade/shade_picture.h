@@ -222,7 +222,7 @@ void look_up_emission(const Scene& scene, Chunk& c) {
   for (std::size_t i = 0; i < c.whole_blocks; ++i) {
     const std::array<double, 4> here = same ? everywhere : emission_at(scene, place_of(scene, c, i));
     for (std::size_t channel = 0; channel < 3; ++channel) c.emission[channel][i] = real(here[channel]);
-    c.occlusion[i] = real(here[3]);
+    c.occlusion[i] = scene.mesh ? real(here[3]) * c.open[i] : real(here[3]);
   }
 }
 
@@ -251,6 +251,8 @@ void reflect_ambient(const Shading& shading, Chunk& c) {
   }
 }
 
+#include "core/render/shade/shade_shadow.h"
+
 void shade(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
   const std::size_t count = c.whole_blocks;
@@ -263,7 +265,7 @@ void shade(const Shading& shading, Chunk& c) {
     c.specular[channel].fill(count, 0);
     if (shading.with_diffuse) c.diffuse[channel].fill(count, 0);
   }
-  const bool occluded = scene.textured().occlusion || scene.surface.occlusion < 1,
+  const bool occluded = scene.mesh || scene.textured().occlusion || scene.surface.occlusion < 1,
              emits = scene.surface.emission != Vec3{};
   if (occluded || emits) look_up_emission(scene, c);
   if (occluded) {
@@ -292,6 +294,7 @@ void shade(const Shading& shading, Chunk& c) {
       aim_directional(c, light.dx, light.dy, light.dz);
     else
       aim_point(c, light);
+    if (scene.mesh) hide_light(shading, light, c);
     if (with_specular)
       reflect(*shading.specular, shading.specular_values, far ? &light : nullptr, light.color, c.specular);
     if (shading.diffuse != nullptr)
@@ -300,12 +303,15 @@ void shade(const Shading& shading, Chunk& c) {
   if (with_specular && !shading.areas.empty()) find_area_lobes(c, shading.area_lobes, textured);
   for (const ChunkArea& area : shading.areas)
     for (std::size_t at = 0; at < area.corners.size(); at += 4) {
+      if (scene.mesh) find_visible(shading, &area.corners[at], c);
       if (with_specular) {
         aim_area(c, &area.corners[at], true);
+        if (scene.mesh) keep_visible(c);
         reflect(*shading.specular, shading.specular_values, nullptr, area.radiance, c.specular);
       }
       if (shading.diffuse != nullptr) {
         aim_area(c, &area.corners[at], false);
+        if (scene.mesh) keep_visible(c);
         reflect(*shading.diffuse, scene.diffuse_values, nullptr, area.radiance, c.diffuse);
       }
     }

@@ -43,6 +43,7 @@ Project full() {
   glass.datasets.push_back({"one", etak::test::glass(1.7), Origin::measured, "", {}, "", {}, {}, "", ""});
   out.spectra.push_back(glass);
   out.view.shape = Shape::quad;
+  out.view.mesh = "shader-ball";
   out.view.lights = default_lights();
   out.view.lights.hemispheres->form = HemisphereForm::wide;
   out.view.lights.lights[0].kind = LightKind::spot;

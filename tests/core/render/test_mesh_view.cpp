@@ -16,7 +16,7 @@
 namespace etak {
 namespace {
 
-Scene metal_scene(std::shared_ptr<const Mesh> mesh) {
+Scene metal_scene(std::shared_ptr<const MeshShape> mesh) {
   Scene scene;
   scene.width = 110;
   scene.height = 100;
@@ -32,14 +32,14 @@ Scene metal_scene(std::shared_ptr<const Mesh> mesh) {
   return scene;
 }
 
-std::shared_ptr<const Mesh> fine_sphere() {
+std::shared_ptr<const MeshShape> fine_sphere() {
   const SphereMesh from = sphere_mesh(250, 200);
   Mesh out;
   for (std::size_t i = 0; i < from.points.size(); ++i)
     out.vertices.push_back({from.points[i], from.points[i], from.uvs[i]});
   for (std::size_t i = 0; i + 2 < from.triangles.size(); i += 3)
     out.triangles.push_back({from.triangles[i], from.triangles[i + 1], from.triangles[i + 2]});
-  return std::make_shared<const Mesh>(in_place_of_ball(std::move(out), "test"));
+  return std::make_shared<const MeshShape>(in_place_of_ball(std::move(out), "test"));
 }
 
 // The square of --quad at another place and of another size.
@@ -108,7 +108,7 @@ TEST_CASE("a textured square as a mesh is the quad, turned too, and from both si
     }
   for (const double turn : {0.0, 50.0, 160.0})
     for (const bool perspective : {false, true}) {
-      Scene mesh = metal_scene(std::make_shared<const Mesh>(square(1, 0))), quad = metal_scene(nullptr);
+      Scene mesh = metal_scene(std::make_shared<const MeshShape>(square(1, 0))), quad = metal_scene(nullptr);
       quad.shape = Shape::quad;
       for (Scene* each : {&mesh, &quad}) {
         each->perspective = perspective;
@@ -127,8 +127,8 @@ TEST_CASE("what is nearer hides, edges have no holes, and threads and precision 
   const Mesh behind = square(0.75f, -0.25f, {0, 0.6f, 0.8f});
   both.vertices.insert(both.vertices.end(), behind.vertices.begin(), behind.vertices.end());
   for (const auto& [a, b, c] : behind.triangles) both.triangles.push_back({a + 4, b + 4, c + 4});
-  Scene scene = metal_scene(std::make_shared<const Mesh>(both)),
-        front = metal_scene(std::make_shared<const Mesh>(square(0.5f, 0.25f)));
+  Scene scene = metal_scene(std::make_shared<const MeshShape>(both)),
+        front = metal_scene(std::make_shared<const MeshShape>(square(0.5f, 0.25f)));
   const Image all = drawn_mesh(scene), one = drawn_mesh(front);
   for (int y = 0; y < all.height; ++y)
     for (int x = 0; x < all.width; ++x) {
@@ -156,7 +156,7 @@ TEST_CASE("a mesh without triangles or without size has no place, and GL and the
   CHECK(test::contains(test::error_of([] { in_place_of_ball({}, "a.glb"); }),
                        "a.glb: no triangle of any size"));
   CHECK_THROWS(in_place_of_ball(square(0, 1), "a.glb"));
-  CHECK_THROWS(validate(metal_scene(std::make_shared<const Mesh>(square(1, 0)))));
+  CHECK_THROWS(validate(metal_scene(std::make_shared<const MeshShape>(square(1, 0)))));
 }
 
 }  // namespace etak
