@@ -5,6 +5,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 #include <QTreeView>
+#include <cmath>
 
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/histogram.h"
@@ -128,6 +129,42 @@ class EditorFixes : public QObject {
              QStringLiteral("metal_diffuse_fixed.png"));
     QCOMPARE(QImage(QString::fromStdString(texture->path)).pixelColor(5, 5), QColor(0, 0, 0));
     QCOMPARE(bytes_of(file), original);
+  }
+
+  void fix_turns_the_green_of_a_normal_map_around_in_a_copy() {
+    TestWindow window(true);
+    show_active(window);
+    open_painted_metal(window);
+    window->document().set_current(1);
+    // A relief with twisted slopes, green down; the material takes it for one of OpenGL.
+    QImage map(128, 128, QImage::Format_RGB32);
+    for (int y = 0; y < map.height(); ++y)
+      for (int x = 0; x < map.width(); ++x) {
+        const double u = 0.7 * std::cos(x / 9.0) * std::cos(y / 11.0),
+                     v = 0.6 * std::sin(x / 9.0) * std::sin(y / 11.0),
+                     z = 127.5 / std::sqrt(u * u + v * v + 1);
+        map.setPixel(x, y, qRgb(qRound(127.5 - u * z), qRound(127.5 + v * z), qRound(127.5 + z)));
+      }
+    const QString file = window.file(QStringLiteral("relief.png"));
+    map.save(file);
+    put_texture(window, Channel::normal, file);
+    // The texels told the drop which way green points; here the user says that they do not.
+    window->document().change_material(QStringLiteral("green"), 1,
+                                       [](ProjectMaterial& m) { m.green_down = false; });
+    QVERIFY(window.settle());
+    QVERIFY(mark_rule(window, QStringLiteral("ETK703")));
+    auto* fix = named<QToolButton>(window->findings(), QStringLiteral("Fix"));
+    QVERIFY(fix->isEnabled());
+    fix->setFocus();
+    QTest::keyClick(fix, Qt::Key_Space);
+    QVERIFY(window.settle());
+    const auto& texture = window->document().project().materials[1].texture(Channel::normal);
+    QCOMPARE(QFileInfo(QString::fromStdString(texture->path)).fileName(),
+             QStringLiteral("plastic_normal_fixed.png"));
+    const QRgb before = map.pixel(20, 30),
+               after = QImage(QString::fromStdString(texture->path)).pixel(20, 30);
+    QCOMPARE(after, qRgb(qRed(before), 255 - qGreen(before), qBlue(before)));
+    QVERIFY(severity_of_rule(window, QStringLiteral("ETK703")).isEmpty());
   }
 
   void muting_needs_a_reason_and_is_what_etak_validate_goes_by() {
