@@ -28,6 +28,12 @@ struct Spreads {
 };
 using ByMaterial = std::vector<std::optional<Spreads>>;
 
+// Differences of a block's texels that count.
+struct Differences {
+  std::array<double, most_block_texels> colour, fourth;
+  std::size_t count = 0;
+};
+
 // Compresses one level, and looks at what became of it.
 class LevelInBlocks {
  public:
@@ -51,29 +57,25 @@ class LevelInBlocks {
     });
   }
 
-  // What the blocks make of the texels, by material.
+  // What the blocks make of the texels, by material. Blocks within the budget stay as they are, and are not looked at again.
   ByMaterial measure() {
-    std::vector<ByMaterial> by_worker(job_.threads, ByMaterial(job_.materials.size()));
+    if (measured_) return sum(within_, measure(beyond_));
+    measured_ = true;
+    std::vector<ByMaterial> within = empty_spreads(), beyond = within;
     each_row([&](std::size_t row, unsigned worker) {
       const std::vector<Texel> decoded = codec_.decode(block(row * across()), across());
       for (std::size_t x = 0; x < across(); ++x) {
         const std::size_t b = row * across() + x;
-        excess_[b] = 0;
         if (!uses_.owner[b]) continue;
-        std::optional<Spreads>& to = by_worker[worker][*uses_.owner[b]];
-        if (!to) to.emplace(measure_);
-        excess_[b] = compare(b, &decoded[codec_.texels() * x], &*to);
+        Differences found;
+        excess_[b] = compare(b, &decoded[codec_.texels() * x], &found);
+        add(found, (excess_[b] > 1 ? beyond : within)[worker][*uses_.owner[b]]);
       }
     });
-    ByMaterial out = std::move(by_worker[0]);
-    for (std::size_t w = 1; w < by_worker.size(); ++w)
-      for (std::size_t m = 0; m < out.size(); ++m) {
-        if (!by_worker[w][m]) continue;
-        if (!out[m]) out[m].emplace(measure_);
-        out[m]->colour.add(by_worker[w][m]->colour);
-        out[m]->fourth.add(by_worker[w][m]->fourth);
-      }
-    return out;
+    for (std::size_t b = 0; b < excess_.size(); ++b)
+      if (excess_[b] > 1) beyond_.push_back(b);
+    within_ = sum(within);
+    return sum(within_, sum(beyond));
   }
 
   // The blocks that miss the budget, of the materials that do.
@@ -126,7 +128,7 @@ class LevelInBlocks {
         codec_.encode(std::move(sources), how, tried.data());
         const std::vector<Texel> decoded = codec_.decode(tried.data(), end - begin);
         for (std::size_t i = begin; i < end; ++i) {
-          const double excess = compare(bad[i], &decoded[codec_.texels() * (i - begin)], nullptr);
+          const double excess = compare(bad[i], &decoded[codec_.texels() * (i - begin)]);
           if (excess >= excess_[bad[i]]) continue;
           excess_[bad[i]] = excess;
           std::copy_n(&tried[bytes * (i - begin)], bytes, block(bad[i]));
@@ -137,13 +139,18 @@ class LevelInBlocks {
 
   // What these blocks make of their texels, by material.
   ByMaterial measure(const std::vector<std::size_t>& blocks) {
-    ByMaterial out(job_.materials.size());
-    for (const std::size_t b : blocks) {
-      std::optional<Spreads>& to = out[*uses_.owner[b]];
-      if (!to) to.emplace(measure_);
-      compare(b, codec_.decode(block(b), 1).data(), &*to);
-    }
-    return out;
+    std::vector<ByMaterial> by_worker = empty_spreads();
+    constexpr std::size_t chunk = 64;
+    parallel_chunks(blocks.size(), job_.threads, chunk,
+                    [&](std::size_t begin, std::size_t end, unsigned worker) {
+                      for (std::size_t i = begin; i < end; ++i) {
+                        const std::size_t b = blocks[i];
+                        Differences found;
+                        compare(b, codec_.decode(block(b), 1).data(), &found);
+                        add(found, by_worker[worker][*uses_.owner[b]]);
+                      }
+                    });
+    return sum(by_worker);
   }
 
   bool is_mask(std::size_t material) const {
@@ -163,6 +170,31 @@ class LevelInBlocks {
   std::size_t texels() const { return uses_.used.size(); }
 
  private:
+  std::vector<ByMaterial> empty_spreads() const {  // by worker
+    return std::vector<ByMaterial>(job_.threads, ByMaterial(job_.materials.size()));
+  }
+  void add(const Differences& found, std::optional<Spreads>& to) const {
+    if (!to) to.emplace(measure_);
+    for (std::size_t i = 0; i < found.count; ++i) {
+      to->colour.add(found.colour[i]);
+      to->fourth.add(found.fourth[i]);
+    }
+  }
+  ByMaterial sum(ByMaterial out, const ByMaterial& more) const {
+    for (std::size_t m = 0; m < out.size(); ++m) {
+      if (!more[m]) continue;
+      if (!out[m]) out[m].emplace(measure_);
+      out[m]->colour.add(more[m]->colour);
+      out[m]->fourth.add(more[m]->fourth);
+    }
+    return out;
+  }
+  ByMaterial sum(const std::vector<ByMaterial>& by_worker) const {
+    ByMaterial out(job_.materials.size());
+    for (const ByMaterial& each : by_worker) out = sum(std::move(out), each);
+    return out;
+  }
+
   bool fits() const {
     return codec_.format().code == BlockCode::bc4 || codec_.format().code == BlockCode::bc5;
   }
@@ -214,7 +246,7 @@ class LevelInBlocks {
   // The largest difference of a block that has an owner, in budgets.
   //   texels   as the block has them
   //   to       gets the differences; null: none
-  double compare(std::size_t b, const Texel* texels, Spreads* to) const {
+  double compare(std::size_t b, const Texel* texels, Differences* to = nullptr) const {
     const AnyBlock from = source(b);
     const PackInput& material = job_.materials[*uses_.owner[b]];
     const bool diffuse = job_.texture == Texture::diffuse_alpha;
@@ -232,8 +264,8 @@ class LevelInBlocks {
       const double fourth = opaque ? 0 : measure_.fourth(from.texels[i][3], texels[i][3], cutoff);
       out = std::max({out, colour / measure_.colour_budget(), fourth / measure_.fourth_budget()});
       if (to == nullptr) continue;
-      to->colour.add(colour);
-      to->fourth.add(fourth);
+      to->colour[to->count] = colour;
+      to->fourth[to->count++] = fourth;
     }
     return out;
   }
@@ -245,6 +277,9 @@ class LevelInBlocks {
   BlockUses uses_;
   std::string bytes_;
   std::vector<double> excess_;  // by block: its largest difference in budgets
+  bool measured_ = false;
+  ByMaterial within_;                // of the blocks that were within the budget at first
+  std::vector<std::size_t> beyond_;  // the others
   double seconds_ = 0;
   std::size_t escalated_ = 0;
 };
