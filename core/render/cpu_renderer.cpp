@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "core/base/clones.h"

@@ -21,7 +21,7 @@ Vec3 unit(const Vec3& v) {
 
 // Samples of one pixel that see the same surface, summed.
 struct Group {
-  Vec3 first_position, first_normal, position{}, normal{};
+  Vec3 first_position, first_normal, position{}, normal{}, tangent{}, bitangent{};
   std::array<double, 2> first_uv, uv{};
   double open = 0;
   int count = 0;
@@ -106,6 +106,13 @@ void MeshView::gather(int column, Samples& samples) const {
   Group groups[side * side];
   int used = 0;
   const auto begin = static_cast<std::size_t>(column) * side * side;
+  // How u and v change along the two sides of a triangle that begin at its first corner.
+  const auto uv_steps = [&](const std::array<std::uint32_t, 3>& corners) {
+    const auto &a = mesh_.vertices[corners[0]].uv, &b = mesh_.vertices[corners[1]].uv,
+               &c = mesh_.vertices[corners[2]].uv;
+    return std::array{double{b[0]} - double{a[0]}, double{c[0]} - double{a[0]}, double{b[1]} - double{a[1]},
+                      double{c[1]} - double{a[1]}};
+  };
   for (std::size_t sample = begin; sample < begin + side * side; ++sample) {
     if (samples.depth[sample] == nothing) continue;
     const auto& corners = mesh_.triangles[samples.triangle[sample]];
@@ -132,10 +139,16 @@ void MeshView::gather(int column, Samples& samples) const {
     Group* group = std::find_if(groups, groups + used, [&](const Group& each) {
       return each.takes(position, normal, uv, camera_.pixel());
     });
-    if (group == groups + used) groups[used++] = {position, normal, {}, {}, uv, {}, 0, 0};
+    if (group == groups + used) groups[used++] = {position, normal, {}, {}, {}, {}, uv, {}, 0, 0};
     add(group->position, position, 1);
     add(group->normal, normal, 1);
     for (std::size_t i = 0; i < 2; ++i) group->uv[i] += uv[i];
+    const std::array<double, 4> steps = uv_steps(corners);
+    const double sign = (steps[0] * steps[3] < steps[1] * steps[2]) != turned ? -1 : 1;
+    add(group->tangent, along, sign * steps[3]);
+    add(group->tangent, across, -sign * steps[2]);
+    add(group->bitangent, along, sign * steps[1]);
+    add(group->bitangent, across, -sign * steps[0]);
     for (std::size_t i = 0; i < 3; ++i) group->open += shares[i] * double{shape_.open(corners[i], turned)};
     ++group->count;
   }
@@ -155,6 +168,8 @@ void MeshView::gather(int column, Samples& samples) const {
                                  unit(normal),
                                  viewer,
                                  {each.uv[0] * part, each.uv[1] * part},
+                                 unit(each.tangent),
+                                 unit(each.bitangent),
                                  each.open * part});
   }
 }

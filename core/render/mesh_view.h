@@ -18,7 +18,8 @@ class MeshView {
     double share;  // of the pixel, (0, 1]
     Vec3 position, normal, viewer;
     std::array<double, 2> uv;
-    double open;  // share of light from all around that reaches it
+    Vec3 tangent, bitangent;  // where u grows and where v falls, of length 1 beside the normal; 0 without UVs
+    double open;              // share of light from all around that reaches it
   };
   /// The memory of one thread.
   struct Samples {

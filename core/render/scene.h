@@ -149,7 +149,7 @@ struct View {
 ///              number can change while the textures stay as they are
 ///   emission   factors of the surface's emission and, in the fourth channel, of its occlusion, as in glTF
 ///   normal     three components of -1 to 1 in the frame of the surface, x along its tangent and y along its bitangent
-///              (OpenGL's convention); the fourth channel says nothing. Meshes and references are drawn without it
+///              (OpenGL's convention); the fourth channel says nothing. On a mesh its UVs tell both. References are drawn without it
 struct SurfaceTextures {
   /// Which quantities of a surface come from its textures.
   struct Quantities {

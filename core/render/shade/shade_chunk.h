@@ -23,6 +23,7 @@ struct Chunk {
   std::size_t count = 0, whole_blocks = 0;  // how many points; the same, rounded up to whole blocks
   Triple position, normal, viewer;          // in the scene's space; filled by the caller
   std::array<Lane, 2> uv;                   // of a mesh; filled by the caller
+  Triple along, up;                         // of a mesh: where u grows and where v falls in its textures
   Lane open;                                // of a mesh: share of light from all around that the mesh leaves
   Lane visible;                             // of a mesh: share of one light that the mesh leaves
   Lane tangent_x, tangent_z;                // the tangent's y is 0

@@ -31,6 +31,8 @@ void draw_mesh_row(const Shading& shading, const MeshView& view, int row, MeshRo
         c.position[axis][i] = real(at.position[axis]);
         c.normal[axis][i] = real(at.normal[axis]);
         c.viewer[axis][i] = real(at.viewer[axis]);
+        c.along[axis][i] = real(at.tangent[axis]);
+        c.up[axis][i] = real(at.bitangent[axis]);
       }
       for (std::size_t axis = 0; axis < 2; ++axis) c.uv[axis][i] = real(at.uv[axis]);
       c.open[i] = real(at.open);

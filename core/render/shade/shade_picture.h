@@ -156,7 +156,9 @@ double inside_texture(double at) {
 // Where a point of the chunk lies in the textures; points beyond the last one have some place too.
 std::array<double, 2> place_of(const Scene& scene, const Chunk& c, std::size_t i) {
   if (i >= c.count) return {0.5, 0.5};
-  if (scene.mesh) return {inside_texture(double(c.uv[0][i])), inside_texture(double(c.uv[1][i]))};
+  if (scene.mesh)
+    return {inside_texture(double(c.uv[0][i]) * scene.texture_scale[0]),
+            inside_texture(double(c.uv[1][i]) * scene.texture_scale[1])};
   std::array<double, 2> out = texture_place(
       scene.shape, {double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])});
   if (scene.texture_scale != std::array{1.0, 1.0})
@@ -189,6 +191,18 @@ void look_up_textures(const Shading& shading, Chunk& c) {
   }
 }
 
+// The tangent and the bitangent of a mesh's point beside its normal.
+std::pair<Vec3, Vec3> mesh_tangents(const Chunk& c, std::size_t i, const Vec3& n) {
+  const auto beside_normal = [&](const Triple& way) {
+    Vec3 out{double(way[0][i]), double(way[1][i]), double(way[2][i])};
+    const double along = etak::dot(out, n);
+    for (std::size_t axis = 0; axis < 3; ++axis) out[axis] -= along * n[axis];
+    return scaled(out, 1 / std::max(std::sqrt(etak::dot(out, out)), 1e-30));
+  };
+  const Vec3 t = beside_normal(c.along), b = cross(n, t);
+  return {t, etak::dot(b, beside_normal(c.up)) < 0 ? scaled(b, -1) : b};
+}
+
 // Turns the normals by the texels of a normal map. GLSL: bent_normal() of picture.glsl.
 void bend_normals(const Shading& shading, Chunk& c) {
   const Image& map = shading.scene.textures->normal;
@@ -200,8 +214,8 @@ void bend_normals(const Shading& shading, Chunk& c) {
     const Vec3 n{double(c.normal[0][i]), double(c.normal[1][i]), double(c.normal[2][i])},
         viewer{double(c.viewer[0][i]), double(c.viewer[1][i]), double(c.viewer[2][i])};
     const double length = math::hypot(n[0], n[2]);
-    const Vec3 t = length < 1e-6 ? Vec3{1, 0, 0} : Vec3{n[2] / length, 0, -n[0] / length};
-    const Vec3 b = cross(n, t);
+    Vec3 t = length < 1e-6 ? Vec3{1, 0, 0} : Vec3{n[2] / length, 0, -n[0] / length}, b = cross(n, t);
+    if (shading.scene.mesh) std::tie(t, b) = mesh_tangents(c, i, n);
     Vec3 bent{};
     for (std::size_t axis = 0; axis < 3; ++axis)
       bent[axis] = m[0] * t[axis] + m[1] * b[axis] + m[2] * n[axis];
@@ -258,7 +272,7 @@ void shade(const Shading& shading, Chunk& c) {
   const std::size_t count = c.whole_blocks;
   const bool textured = shading.textured;
   if (textured) look_up_textures(shading, c);
-  if (scene.textured().normal && !scene.mesh) bend_normals(shading, c);
+  if (scene.textured().normal) bend_normals(shading, c);
   build_frames(c, !shading.camera.perspective() && !shading.camera.turned());
   const bool with_specular = shading.specular != nullptr;
   for (std::size_t channel = 0; channel < 3; ++channel) {

@@ -106,6 +106,12 @@ TEST_CASE("a textured square as a mesh is the quad, turned too, and from both si
       const float values[] = {0.1f * float(x), 0.1f * float(y), 0.5f, 1};
       std::ranges::copy(values, picture.at(x, y).begin());
     }
+  Image bumps(8, 8, 4);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      const float values[] = {0.06f * float(x) - 0.2f, 0.3f - 0.05f * float(y), 0.9f, 1};
+      std::ranges::copy(values, bumps.at(x, y).begin());
+    }
   for (const double turn : {0.0, 50.0, 160.0})
     for (const bool perspective : {false, true}) {
       Scene mesh = metal_scene(std::make_shared<const MeshShape>(square(1, 0))), quad = metal_scene(nullptr);
@@ -113,7 +119,11 @@ TEST_CASE("a textured square as a mesh is the quad, turned too, and from both si
       for (Scene* each : {&mesh, &quad}) {
         each->perspective = perspective;
         each->view = View{.turn_deg = turn, .rise_deg = 10};
-        each->textures = surface_textures({.body = &picture});
+        SurfaceTextures textures = *surface_textures({.body = &picture});
+        textures.has.normal = turn < 90;
+        textures.normal = bumps;
+        each->textures = std::make_shared<const SurfaceTextures>(std::move(textures));
+        each->texture_scale = {2, 3};
       }
       const Difference off = difference(drawn_mesh(mesh), drawn_mesh(quad));
       INFO(turn << perspective << " dE " << off.delta_e << ", coverage " << off.coverage);
