@@ -167,6 +167,7 @@ SurfacePicturesRead read_surface_textures(const ProjectMaterial& material, const
   };
   set_packed(material, planes.width, planes.height, most_side, open, out.textures);
   set_others(material, reading, most_side, out.textures);
+  add_halves(out.textures);
   const Image& alone = out.textures.emission.width > 0 ? out.textures.emission : out.textures.normal;
   const bool packed = has_packed_textures(material);
   out.width = packed ? planes.width : alone.width;

@@ -68,6 +68,17 @@ MeshShape::MeshShape(Mesh mesh, unsigned threads) : mesh_(std::move(mesh)) {
     triangles_.push_back({corner, difference(mesh_.vertices[b].position, corner),
                           difference(mesh_.vertices[c].position, corner)});
   }
+  double area = 1e-30;
+  for (const auto& [a, b, c] : mesh_.triangles) {
+    const auto &p = mesh_.vertices[a].uv, &q = mesh_.vertices[b].uv, &r = mesh_.vertices[c].uv;
+    uv_share_ +=
+        std::abs(double{q[0] - p[0]} * double{r[1] - p[1]} - double{r[0] - p[0]} * double{q[1] - p[1]});
+    const auto& corner = mesh_.vertices[a].position;
+    const Vec3 normal = cross(widened(difference(mesh_.vertices[b].position, corner)),
+                              widened(difference(mesh_.vertices[c].position, corner)));
+    area += std::sqrt(dot(normal, normal));
+  }
+  uv_share_ /= area;
   ground_ = 1e30;
   for (const Mesh::Vertex& vertex : mesh_.vertices) ground_ = std::min(ground_, double{vertex.position[1]});
 

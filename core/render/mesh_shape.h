@@ -31,6 +31,9 @@ class MeshShape {
   const Mesh& mesh() const { return mesh_; }
   double ground() const { return ground_; }  // y of the lowest vertex, on which the mesh stands
 
+  /// The share of a texture in a square of the side 1, as the mean over all triangles.
+  double uv_share() const { return uv_share_; }
+
   /// The share of light from all around that reaches a vertex, [0, 1], weighed by the cosine to its normal.
   ///   turned   of the other side of the surface
   float open(std::size_t vertex, bool turned) const { return open_[2 * vertex + (turned ? 1 : 0)]; }
@@ -64,7 +67,7 @@ class MeshShape {
   double open_sky(const Vec3& from, const Vec3& normal, std::size_t rays, double least) const;
 
   Mesh mesh_;
-  double ground_ = 0;
+  double ground_ = 0, uv_share_ = 0;
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
   std::vector<float> open_, ground_light_;

@@ -163,6 +163,8 @@ struct SurfaceTextures {
   Quantities has = {};
   Image emission = {};
   Image normal = {};
+  std::shared_ptr<const SurfaceTextures> half =
+      {};  // the same with half the sides, by add_halves(); null: none
 };
 
 enum class Shape { sphere, quad };

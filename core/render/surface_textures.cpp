@@ -2,15 +2,22 @@
 #include "core/render/surface_textures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/base/error.h"
 #include "core/color/gloss.h"
+#include "core/image/mean_squares.h"
 #include "core/math/functions.h"
+#include "core/render/camera.h"
+#include "core/render/mesh_shape.h"
 
 namespace etak {
 namespace {
+
+constexpr std::array all_textures{&SurfaceTextures::body, &SurfaceTextures::gloss, &SurfaceTextures::emission,
+                                  &SurfaceTextures::normal};
 
 void require_channels(const Image& picture, int least, const char* expected) {
   if (picture.channels < least || picture.width < 1 || picture.height < 1)
@@ -47,6 +54,39 @@ std::shared_ptr<const SurfaceTextures> surface_textures(const SurfacePictures& o
   const Image emission = emission_texture(of.emission, of.occlusion);
   if (emission.width > 0) out.emission = four_channels(&emission, side);
   return std::make_shared<const SurfaceTextures>(std::move(out));
+}
+
+void add_halves(SurfaceTextures& textures) {
+  constexpr int least_side = 4;
+  int longest = 0;
+  SurfaceTextures half{{}, {}, textures.has};
+  for (Image SurfaceTextures::*each : all_textures) {
+    const Image& from = textures.*each;
+    const int side = std::max(from.width, from.height);
+    longest = std::max(longest, side);
+    if (side == 0) continue;
+    half.*each = mean_squares(from.width, from.height, 4, (side + 1) / 2,
+                              [&](int) { return [&](int y) { return from.at(0, y).data(); }; });
+  }
+  if (longest <= least_side) return;
+  add_halves(half);
+  textures.half = std::make_shared<const SurfaceTextures>(std::move(half));
+}
+
+std::shared_ptr<const SurfaceTextures> textures_for_pixels(const Scene& scene) {
+  std::shared_ptr<const SurfaceTextures> out = scene.textures;
+  if (!out || !out->half) return out;
+  double texels = 0;  // of the largest texture
+  for (Image SurfaceTextures::*each : all_textures)
+    texels = std::max(texels, static_cast<double>(((*out).*each).pixel_count()));
+  // The share of the texture in a square of the side 1 in the middle of the object.
+  const double share = scene.mesh                   ? scene.mesh->uv_share()
+                       : scene.shape == Shape::quad ? 0.25
+                                                    : 1 / (2 * std::numbers::pi * std::numbers::pi);
+  double of_pixel =
+      std::sqrt(texels * scene.texture_scale[0] * scene.texture_scale[1] * share) * Camera(scene).pixel();
+  for (; of_pixel > std::numbers::sqrt2 && out->half; of_pixel /= 2) out = out->half;
+  return out;
 }
 
 Image emission_texture(const Image* emission, const Image* occlusion) {

@@ -27,6 +27,14 @@ struct SurfacePictures {
 ///   side   larger pictures are shrunk to this, in texels
 std::shared_ptr<const SurfaceTextures> surface_textures(const SurfacePictures& pictures, int side = 1024);
 
+/// Adds the textures with half the sides, with those of half of these, and so on to a few texels. Each texel is the mean of
+/// up to four.
+void add_halves(SurfaceTextures& textures);
+
+/// The textures of a scene, or the half of them whose texels are about as large as a pixel in the middle of the object. CPU
+/// and GPU draw with the same ones, so that textures that repeat often, or are seen from far away, do not flicker.
+std::shared_ptr<const SurfaceTextures> textures_for_pixels(const Scene& scene);
+
 /// Emission and occlusion as one texture, in the size of the larger picture; each is 1 where its picture is null.
 Image emission_texture(const Image* emission, const Image* occlusion);
 

@@ -11,6 +11,7 @@
 #include "core/render/environment.h"
 #include "core/render/ground_bounce.h"
 #include "core/render/mesh_shape.h"
+#include "core/render/surface_textures.h"
 
 namespace etak {
 namespace {
@@ -50,6 +51,7 @@ void set_side(const ViewSide& side, bool energy_overlay, Scene& scene) {
   scene.texture_scale = side.texture_scale;
   if (scene.mesh && scene.textures && !scene.mesh->mesh().has_uvs)
     throw Error::at("mesh", "has no UVs", "TEXCOORD_0 in each primitive, by which textures are laid");
+  scene.textures = textures_for_pixels(scene);
   // The albedo is computed here, so that the CPU and the GPU mark the same pixels.
   if (energy_overlay) scene.mark_energy = quick_albedo(scene, 17);
 }

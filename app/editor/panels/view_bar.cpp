@@ -23,14 +23,14 @@ ViewBar::ViewBar(Document& document, QWidget* parent)
       shape_(new ShapeBox(document, tr("Shown on"), this)),
       exposure_(new FineSpinBox(this)) {
   setAccessibleName(tr("Bar of the viewport"));
-  auto* row = new FlowLayout(3, this);
+  auto* row = new FlowLayout(2, this);  // all are in one line of a window of 1280
   row->setContentsMargins(3, 3, 3, 3);
   for (QWidget* each : std::initializer_list<QWidget*>{environment_, exposure_, tone_, shape_})
     row->addWidget(each);
   for (QComboBox* each : std::initializer_list<QComboBox*>{environment_, tone_, shape_})
     each->setMinimumContentsLength(5);
   tone_->setMinimumContentsLength(9);
-  shape_->setMinimumContentsLength(7);
+  shape_->setMinimumContentsLength(6);
   make_environment();
   make_picture();
   connect(&document, &Document::view_changed, this, &ViewBar::show_view);

@@ -9,6 +9,7 @@
 #include "core/render/cpu_renderer.h"
 #include "core/render/environment.h"
 #include "core/render/reference.h"
+#include "core/render/view_state.h"
 #include "tests/support.h"
 
 namespace etak {
@@ -190,6 +191,91 @@ TEST_CASE("a scene has the samplers of the textures that it has, and no others")
   REQUIRE(found.size() == 2);
   CHECK(found[0].first == std::string("surface_body"));
   CHECK(found[1].first == std::string("surface_emission"));
+}
+
+namespace {
+
+// A fine pattern of two colours with its halves.
+std::shared_ptr<SurfaceTextures> fine_pattern(int side) {
+  Image body(side, side, 4, 1);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        body.at(x, y)[c] = (x * 7 + y * 13 + (x * y) % 5) % 3 == 0 ? 0.9f : 0.1f * static_cast<float>(c);
+  auto out = std::make_shared<SurfaceTextures>(*surface_textures({.body = &body}));
+  add_halves(*out);
+  return out;
+}
+
+ViewState patterned(std::shared_ptr<const SurfaceTextures> textures, double repeats) {
+  ViewState out;
+  out.a.diffuse = find_model("lambert");
+  out.a.textures = std::move(textures);
+  out.a.texture_scale = {repeats, repeats};
+  out.lights = default_lights();
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("halves of textures are means of four texels, down to a few") {
+  Image body(10, 6, 4);
+  for (std::size_t i = 0; i < body.values.size(); ++i) body.values[i] = static_cast<float>(i * i % 17) / 17;
+  SurfaceTextures textures = *surface_textures({.body = &body});
+  CHECK(textures.half == nullptr);
+  add_halves(textures);
+  REQUIRE(textures.half != nullptr);
+  const Image& half = textures.half->body;
+  REQUIRE((half.width == 5 && half.height == 3));
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 5; ++x)
+      for (std::size_t c = 0; c < 4; ++c) {
+        const float sum = body.at(2 * x, 2 * y)[c] + body.at(2 * x + 1, 2 * y)[c] +
+                          body.at(2 * x, 2 * y + 1)[c] + body.at(2 * x + 1, 2 * y + 1)[c];
+        CHECK(half.at(x, y)[c] == Approx(sum / 4).margin(1e-6));
+      }
+  REQUIRE(textures.half->half != nullptr);
+  CHECK(textures.half->half->half == nullptr);
+  CHECK(textures.half->has.diffuse);
+  CHECK_FALSE(textures.half->has.f0);
+}
+
+TEST_CASE("textures are drawn from the halves whose texels are about as large as a pixel") {
+  const auto textures = fine_pattern(512);
+  const auto side = [&](double repeats, double zoom, ViewShape shape) {
+    ViewState state = patterned(textures, repeats);
+    state.shape = shape;
+    state.camera.zoom = zoom;
+    return view_tiles(state, 220, 220).front().scene.textures->body.width;
+  };
+  CHECK(side(1, 1, ViewShape::sphere) == 512);
+  CHECK(side(8, 1, ViewShape::sphere) == 64);
+  CHECK(side(8, 8, ViewShape::sphere) == 512);
+  CHECK(side(1, 1, ViewShape::quad) == 256);
+}
+
+TEST_CASE("a pattern that repeats often is nearer to its mean over pixels with halves than without") {
+  auto textures = fine_pattern(256);
+  const ViewState with = patterned(textures, 16);
+  auto alone = std::make_shared<SurfaceTextures>(*textures);
+  alone->half = nullptr;
+  const ViewState without = patterned(alone, 16);
+  constexpr int side = 96, finer = 8;
+  const Image drawn = draw_view(with, side, side, 2), flickering = draw_view(without, side, side, 2),
+              fine = draw_view(without, side * finer, side * finer, 2);
+  const auto off = [&](const Image& picture) {
+    double sum = 0;
+    for (int y = side / 4; y < 3 * side / 4; ++y)
+      for (int x = side / 4; x < 3 * side / 4; ++x) {
+        double mean = 0;
+        for (int i = 0; i < finer * finer; ++i)
+          mean += double{fine.at(finer * x + i % finer, finer * y + i / finer)[1]} / (finer * finer);
+        sum += std::abs(double{picture.at(x, y)[1]} - mean);
+      }
+    return sum;
+  };
+  INFO(off(drawn) << " with, " << off(flickering) << " without");
+  CHECK(4 * off(drawn) < off(flickering));
 }
 
 }  // namespace etak
