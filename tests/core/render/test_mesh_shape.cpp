@@ -5,22 +5,12 @@
 #include <cmath>
 #include <memory>
 
-#include "core/math/sphere_mesh.h"
 #include "core/render/cpu_renderer.h"
+#include "tests/core/render/ball_mesh.h"
 #include "tests/support.h"
 
 namespace etak {
 namespace {
-
-Mesh ball_mesh() {
-  const SphereMesh from = sphere_mesh(128, 64);
-  Mesh out;
-  for (std::size_t i = 0; i < from.points.size(); ++i)
-    out.vertices.push_back({from.points[i], from.points[i], from.uvs[i]});
-  for (std::size_t i = 0; i + 2 < from.triangles.size(); i += 3)
-    out.triangles.push_back({from.triangles[i], from.triangles[i + 1], from.triangles[i + 2]});
-  return out;
-}
 
 // A square of two triangles: its middle, half of two sides, and its normal.
 void add_square(Mesh& mesh, const Vec3& middle, const Vec3& along, const Vec3& across, const Vec3& normal) {
@@ -66,7 +56,7 @@ Image drawn(const Scene& scene) {
 }  // namespace
 
 TEST_CASE("a ball as a mesh keeps no light from itself, and the ground below it has the ball's shadow") {
-  const MeshShape ball(ball_mesh(), 2);
+  const MeshShape ball(test::ball_mesh(128, 64), 2);
   for (std::size_t i = 0; i < ball.mesh().vertices.size(); ++i) REQUIRE(ball.open(i, false) == 1);
   CHECK(ball.ground() == Approx(-1));
   for (const double r : {0.0, 0.3, 0.7, 1.0, 2.0, 6.0}) {

@@ -7,10 +7,10 @@
 
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
-#include "core/math/sphere_mesh.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/environment.h"
 #include "core/render/surface_textures.h"
+#include "tests/core/render/ball_mesh.h"
 #include "tests/support.h"
 
 namespace etak {
@@ -33,13 +33,7 @@ Scene metal_scene(std::shared_ptr<const MeshShape> mesh) {
 }
 
 std::shared_ptr<const MeshShape> fine_sphere() {
-  const SphereMesh from = sphere_mesh(250, 200);
-  Mesh out;
-  for (std::size_t i = 0; i < from.points.size(); ++i)
-    out.vertices.push_back({from.points[i], from.points[i], from.uvs[i]});
-  for (std::size_t i = 0; i + 2 < from.triangles.size(); i += 3)
-    out.triangles.push_back({from.triangles[i], from.triangles[i + 1], from.triangles[i + 2]});
-  return std::make_shared<const MeshShape>(in_place_of_ball(std::move(out), "test"));
+  return std::make_shared<const MeshShape>(in_place_of_ball(test::ball_mesh(250, 200), "test"));
 }
 
 // The square of --quad at another place and of another size.
