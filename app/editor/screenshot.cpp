@@ -39,7 +39,7 @@
 #include "app/editor/shortcuts.h"
 #include "app/editor/window.h"
 #include "core/project/project_pictures.h"
-#include "core/render/mesh_shape.h"
+#include "core/render/mesh/mesh_shape.h"
 
 namespace etak::editor {
 namespace {

@@ -13,7 +13,7 @@
 #include "core/material/material_node_json.h"
 #include "core/project/project.h"
 #include "core/render/display.h"
-#include "core/render/mesh_shape.h"
+#include "core/render/mesh/mesh_shape.h"
 
 namespace etak {
 namespace {

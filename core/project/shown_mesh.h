@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/math/mesh_door.h"
-#include "core/render/mesh_shape.h"
+#include "core/render/mesh/mesh_shape.h"
 
 namespace etak {
 

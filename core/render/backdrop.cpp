@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/math/functions.h"
-#include "core/render/mesh_shape.h"
+#include "core/render/mesh/mesh_shape.h"
 
 namespace etak {
 namespace {

@@ -19,7 +19,7 @@
 #include "core/render/backdrop.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"
-#include "core/render/mesh_view.h"
+#include "core/render/mesh/mesh_view.h"
 #include "core/render/surface_textures.h"
 
 // The loops over a chunk are compiled for several instruction sets.

@@ -19,7 +19,7 @@
 
 namespace etak {
 
-class MeshShape;  // core/render/mesh_shape.h
+class MeshShape;  // core/render/mesh/mesh_shape.h
 
 /// What goes through layers on a clear base.
 ///   n       of the base against the outside

@@ -11,7 +11,7 @@
 #include "core/image/mean_squares.h"
 #include "core/math/functions.h"
 #include "core/render/camera.h"
-#include "core/render/mesh_shape.h"
+#include "core/render/mesh/mesh_shape.h"
 
 namespace etak {
 namespace {

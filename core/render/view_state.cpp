@@ -10,7 +10,7 @@
 #include "core/render/energy.h"
 #include "core/render/environment.h"
 #include "core/render/ground_bounce.h"
-#include "core/render/mesh_shape.h"
+#include "core/render/mesh/mesh_shape.h"
 #include "core/render/surface_textures.h"
 
 namespace etak {

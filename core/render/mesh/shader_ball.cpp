@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/math/functions.h"
-#include "core/render/mesh_shape.h"
+#include "core/render/mesh/mesh_shape.h"
 
 namespace etak {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/render/camera.h"
-#include "core/render/mesh_shape.h"
+#include "core/render/mesh/mesh_shape.h"
 
 namespace etak {
 

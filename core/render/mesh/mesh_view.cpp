@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/render/mesh_view.h"
+#include "core/render/mesh/mesh_view.h"
 
 #include <algorithm>
 #include <cmath>
