@@ -158,7 +158,7 @@ SurfacePicturesRead read_surface_textures(const ProjectMaterial& material, const
   SurfacePicturesRead out;
   const PairPlanes planes = planes_of(input);
   const auto open = [&](int first) {
-    return [&planes, rows = std::make_shared<PairRows>(planes, first), row = LinearRow(planes.width),
+    return [rows = std::make_shared<PairRows>(planes, first), row = LinearRow(planes.width),
             a = std::vector<std::uint8_t>(4 * static_cast<std::size_t>(planes.width)),
             b = std::vector<std::uint8_t>(4 * static_cast<std::size_t>(planes.width))](int) mutable {
       rows->read(a.data(), b.data());
