@@ -13,9 +13,11 @@ namespace etak {
 /// How hard blocks are tried.
 ///   effort    1 to most_block_effort
 ///   weights   by which those of each block are multiplied
+///   evens     texels whose error is large in the block so far count more
 struct BlockTry {
   int effort = 2;
   ChannelWeights weights{1, 1, 1, 1};
+  bool evens = false;
 };
 
 /// Compresses and decodes blocks of one format, sRGB-encoded: BC4, BC5 and BC7 by etak's own encoder, ASTC by the program's

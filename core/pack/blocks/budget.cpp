@@ -53,12 +53,12 @@ CompressOptions compress_word(std::string_view word) {
   return out;
 }
 
-void Spread::add(double difference) {
+void Spread::add(double difference, std::uint8_t share) {
   // Differences beyond the last bin are told as the largest.
   const auto bin =
       static_cast<std::size_t>(std::min(static_cast<double>(bin_count - 1), std::ceil(difference / unit_)));
-  ++bins_[bin];
-  ++count_;
+  bins_[bin] += share;
+  count_ += share;
   largest_ = std::max(largest_, difference);
 }
 

@@ -14,12 +14,13 @@
 
 namespace etak {
 
-/// Differences of many texels, counted: the same for any order in which they are added.
+/// Differences of many texels, counted by how much of each is read: the same for any order in which they are added.
 class Spread {
  public:
   /// `unit` is the width of the bins, by which a percentile is exact.
   explicit Spread(double unit) : unit_(unit), bins_(bin_count) {}
-  void add(double difference);
+  ///   share   how much of the texel is read, above 0; the same unit for all
+  void add(double difference, std::uint8_t share = 1);
   void add(const Spread& other);
   std::uint64_t count() const { return count_; }
   double largest() const { return largest_; }
@@ -32,7 +33,7 @@ class Spread {
   static constexpr std::size_t bin_count = 2000;
   double unit_, largest_ = 0;
   std::uint64_t count_ = 0;
-  std::vector<std::uint32_t> bins_;
+  std::vector<std::uint64_t> bins_;
 };
 
 /// Measures differences of texels in units of shading, for one texture.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,9 +10,8 @@
 #include "core/atlas/texels/page_pixels.h"
 #include "core/base/parallel.h"
 #include "core/pack/blocks/block_codec.h"
-#include "core/pack/blocks/block_uses.h"
 #include "core/pack/blocks/budget.h"
-#include "core/pack/blocks/page_format.h"
+#include "core/pack/blocks/level_texels.h"
 
 namespace etak {
 namespace {
@@ -28,30 +26,22 @@ struct Spreads {
 };
 using ByMaterial = std::vector<std::optional<Spreads>>;
 
-// Differences of a block's texels that count.
-struct Differences {
-  std::array<double, most_block_texels> colour, fourth;
-  std::size_t count = 0;
-};
-
 // Compresses one level, and looks at what became of it.
 class LevelInBlocks {
  public:
-  LevelInBlocks(const BlockJob& job, const BlockMeasure& measure, int level, const TexelsShown& shown)
+  LevelInBlocks(const BlockJob& job, int level, const TexelsShown& shown)
       : job_(job),
-        measure_(measure),
         codec_(*job.how.format, job.astc),
-        view_(job.pixels.view(job.texture, level)),
-        uses_(block_uses(job.decision, shown, job.page, job.texture, level, job.how.format->block_width)),
-        bytes_(codec_.format().block_bytes * uses_.owner.size(), '\0'),
-        excess_(uses_.owner.size()) {}
+        texels_(job, level, shown),
+        bytes_(codec_.format().block_bytes * texels_.uses.owner.size(), '\0'),
+        excess_(texels_.uses.owner.size()) {}
 
   // Compresses all blocks.
   void encode(const BlockTry& how) {
     timed([&] {
       each_row([&](std::size_t row, unsigned) {
         std::vector<AnyBlock> sources(across());
-        for (std::size_t x = 0; x < sources.size(); ++x) sources[x] = weighted(source(row * across() + x));
+        for (std::size_t x = 0; x < sources.size(); ++x) sources[x] = texels_.block(row * across() + x);
         codec_.encode(std::move(sources), how, block(row * across()));
       });
     });
@@ -66,14 +56,14 @@ class LevelInBlocks {
       const std::vector<Texel> decoded = codec_.decode(block(row * across()), across());
       for (std::size_t x = 0; x < across(); ++x) {
         const std::size_t b = row * across() + x;
-        if (!uses_.owner[b]) continue;
-        Differences found;
-        excess_[b] = compare(b, &decoded[codec_.texels() * x], &found);
-        add(found, (excess_[b] > 1 ? beyond : within)[worker][*uses_.owner[b]]);
+        if (!texels_.uses.owner[b]) continue;
+        BlockDifferences found;
+        excess_[b] = texels_.compare(b, &decoded[codec_.texels() * x], found);
+        add(found, (excess_[b] > 0 ? beyond : within)[worker][*texels_.uses.owner[b]]);
       }
     });
     for (std::size_t b = 0; b < excess_.size(); ++b)
-      if (excess_[b] > 1) beyond_.push_back(b);
+      if (excess_[b] > 0) beyond_.push_back(b);
     within_ = sum(within);
     return sum(within_, sum(beyond));
   }
@@ -82,7 +72,7 @@ class LevelInBlocks {
   std::vector<std::size_t> bad_blocks(const std::vector<bool>& misses) const {
     std::vector<std::size_t> bad;
     for (std::size_t b = 0; b < excess_.size(); ++b)
-      if (excess_[b] > 1 && uses_.owner[b] && misses[*uses_.owner[b]]) bad.push_back(b);
+      if (excess_[b] > 0 && texels_.uses.owner[b] && misses[*texels_.uses.owner[b]]) bad.push_back(b);
     return bad;
   }
 
@@ -109,8 +99,8 @@ class LevelInBlocks {
     };
     for (std::size_t m = 0; m < misses.size(); ++m)
       if (misses[m] && after[m] &&
-          (left(spreads[m]->colour, before[m]->colour, after[m]->colour, measure_.colour_budget()) ||
-           left(spreads[m]->fourth, before[m]->fourth, after[m]->fourth, measure_.fourth_budget())))
+          (left(spreads[m]->colour, before[m]->colour, after[m]->colour, texels_.measure.colour_budget()) ||
+           left(spreads[m]->fourth, before[m]->fourth, after[m]->fourth, texels_.measure.fourth_budget())))
         return true;
     return false;
   }
@@ -122,13 +112,14 @@ class LevelInBlocks {
       constexpr std::size_t chunk = 64;
       parallel_chunks(bad.size(), job_.threads, chunk, [&](std::size_t begin, std::size_t end, unsigned) {
         std::vector<AnyBlock> sources;
-        for (std::size_t i = begin; i < end; ++i) sources.push_back(weighted(source(bad[i])));
+        for (std::size_t i = begin; i < end; ++i) sources.push_back(block_again(bad[i], how));
         const std::size_t bytes = codec_.format().block_bytes;
         std::vector<std::uint8_t> tried(bytes * sources.size());
         codec_.encode(std::move(sources), how, tried.data());
         const std::vector<Texel> decoded = codec_.decode(tried.data(), end - begin);
         for (std::size_t i = begin; i < end; ++i) {
-          const double excess = compare(bad[i], &decoded[codec_.texels() * (i - begin)]);
+          BlockDifferences found;
+          const double excess = texels_.compare(bad[i], &decoded[codec_.texels() * (i - begin)], found);
           if (excess >= excess_[bad[i]]) continue;
           excess_[bad[i]] = excess;
           std::copy_n(&tried[bytes * (i - begin)], bytes, block(bad[i]));
@@ -145,45 +136,42 @@ class LevelInBlocks {
                     [&](std::size_t begin, std::size_t end, unsigned worker) {
                       for (std::size_t i = begin; i < end; ++i) {
                         const std::size_t b = blocks[i];
-                        Differences found;
-                        compare(b, codec_.decode(block(b), 1).data(), &found);
-                        add(found, by_worker[worker][*uses_.owner[b]]);
+                        BlockDifferences found;
+                        texels_.compare(b, codec_.decode(block(b), 1).data(), found);
+                        add(found, by_worker[worker][*texels_.uses.owner[b]]);
                       }
                     });
     return sum(by_worker);
   }
 
-  bool is_mask(std::size_t material) const {
-    return job_.texture == Texture::diffuse_alpha && job_.materials[material].alpha_mode == AlphaMode::mask;
-  }
   // A mask is kept exact.
   bool met(std::size_t material, const Spreads& spreads) const {
-    return spreads.colour.percentile_99() <= measure_.colour_budget() &&
-           (is_mask(material) ? spreads.fourth.largest() == 0
-                              : spreads.fourth.percentile_99() <= measure_.fourth_budget());
+    return spreads.colour.percentile_99() <= texels_.measure.colour_budget() &&
+           (texels_.is_mask(material) ? spreads.fourth.largest() == 0
+                                      : spreads.fourth.percentile_99() <= texels_.measure.fourth_budget());
   }
   std::string& bytes() { return bytes_; }
   double seconds() const { return seconds_; }
-  std::size_t shared() const { return uses_.shared; }
+  std::size_t shared() const { return texels_.uses.shared; }
   std::size_t escalated() const { return escalated_; }
   std::size_t count() const { return excess_.size(); }
-  std::size_t texels() const { return uses_.used.size(); }
+  std::size_t texels() const { return texels_.uses.used.size(); }
 
  private:
   std::vector<ByMaterial> empty_spreads() const {  // by worker
     return std::vector<ByMaterial>(job_.threads, ByMaterial(job_.materials.size()));
   }
-  void add(const Differences& found, std::optional<Spreads>& to) const {
-    if (!to) to.emplace(measure_);
+  void add(const BlockDifferences& found, std::optional<Spreads>& to) const {
+    if (!to) to.emplace(texels_.measure);
     for (std::size_t i = 0; i < found.count; ++i) {
-      to->colour.add(found.colour[i]);
-      to->fourth.add(found.fourth[i]);
+      to->colour.add(found.colour[i], found.share[i]);
+      to->fourth.add(found.fourth[i], found.share[i]);
     }
   }
   ByMaterial sum(ByMaterial out, const ByMaterial& more) const {
     for (std::size_t m = 0; m < out.size(); ++m) {
       if (!more[m]) continue;
-      if (!out[m]) out[m].emplace(measure_);
+      if (!out[m]) out[m].emplace(texels_.measure);
       out[m]->colour.add(more[m]->colour);
       out[m]->fourth.add(more[m]->fourth);
     }
@@ -195,10 +183,7 @@ class LevelInBlocks {
     return out;
   }
 
-  bool fits() const {
-    return codec_.format().code == BlockCode::bc4 || codec_.format().code == BlockCode::bc5;
-  }
-  std::size_t across() const { return static_cast<std::size_t>(uses_.across); }
+  std::size_t across() const { return static_cast<std::size_t>(texels_.uses.across); }
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a file
   std::uint8_t* block(std::size_t b) {
     return reinterpret_cast<std::uint8_t*>(&bytes_[codec_.format().block_bytes * b]);
@@ -212,71 +197,32 @@ class LevelInBlocks {
   }
   template <class Work>
   void each_row(const Work& work) {
-    parallel_chunks(static_cast<std::size_t>(uses_.down), job_.threads, 1,
+    parallel_chunks(static_cast<std::size_t>(texels_.uses.down), job_.threads, 1,
                     [&](std::size_t begin, std::size_t end, unsigned worker) {
                       for (std::size_t row = begin; row < end; ++row) work(row, worker);
                     });
   }
 
-  // A block's texels; beyond the edge of the level they repeat it and do not count.
-  AnyBlock source(std::size_t b) const {
-    const int side = codec_.format().block_width;
-    const int left = side * static_cast<int>(b % across()), top = side * static_cast<int>(b / across());
-    AnyBlock out;
-    for (int i = 0; i < side * side; ++i) {
-      const int x = left + i % side, y = top + i / side;
-      const int inside_x = std::min(x, view_.width - 1), inside_y = std::min(y, view_.height - 1);
-      std::copy_n(view_.at(inside_x, inside_y), 4, out.texels[static_cast<std::size_t>(i)].data());
-      if (x != inside_x || y != inside_y) continue;
-      const std::uint8_t share =
-          uses_.used[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
-                     static_cast<std::size_t>(x)];
-      out.counting |= std::uint64_t{share != 0} << i;
-      out.shares[static_cast<std::size_t>(i)] = share;
-    }
-    return out;
-  }
-
-  // The same with the weights of its channels.
-  AnyBlock weighted(AnyBlock block) const {
-    measure_.weigh(block);
-    return block;
-  }
-
-  // The largest difference of a block that has an owner, in budgets.
-  //   texels   as the block has them
-  //   to       gets the differences; null: none
-  double compare(std::size_t b, const Texel* texels, Differences* to = nullptr) const {
-    const AnyBlock from = source(b);
-    const PackInput& material = job_.materials[*uses_.owner[b]];
-    const bool diffuse = job_.texture == Texture::diffuse_alpha;
-    const bool opaque = diffuse && material.alpha_mode == AlphaMode::opaque;
-    const int cutoff =
-        is_mask(*uses_.owner[b]) ? static_cast<int>(std::ceil(255 * material.alpha_cutoff)) : -1;
-    // BC4 and BC5 go without an F0 that is one number of the material.
-    const bool f0_apart = fits() && has_constant_f0(job_.decision.left_out.fates[*uses_.owner[b]]);
-    double out = 0;
-    for (std::size_t i = 0; i < codec_.texels(); ++i) {
-      if ((from.counting >> i & 1) == 0) continue;
-      // Nothing shows the colour of a texel that lets all light through.
-      const bool unseen = diffuse && !opaque && from.texels[i][3] == 0;
-      const double colour = unseen || f0_apart ? 0 : measure_.colour(from.texels[i], texels[i]);
-      const double fourth = opaque ? 0 : measure_.fourth(from.texels[i][3], texels[i][3], cutoff);
-      out = std::max({out, colour / measure_.colour_budget(), fourth / measure_.fourth_budget()});
-      if (to == nullptr) continue;
-      to->colour[to->count] = colour;
-      to->fourth[to->count++] = fourth;
+  // A block's texels for another try.
+  AnyBlock block_again(std::size_t b, const BlockTry& how) {
+    AnyBlock out = texels_.block(b);
+    if (!how.evens) return out;
+    constexpr double least = 0.25, most = 4;
+    BlockDifferences found;
+    texels_.compare(b, codec_.decode(block(b), 1).data(), found);
+    for (std::size_t i = 0; i < found.count; ++i) {
+      const double by = std::clamp(texels_.budgets(found, i), least, most) / 2;
+      out.shares[found.at[i]] = static_cast<std::uint8_t>(std::clamp(by * by * found.share[i], 1.0, 255.0));
     }
     return out;
   }
 
   const BlockJob& job_;
-  const BlockMeasure& measure_;
   BlockCodec codec_;
-  ConstPixelsView8 view_;
-  BlockUses uses_;
+  LevelTexels texels_;
   std::string bytes_;
-  std::vector<double> excess_;  // by block: its largest difference in budgets
+  std::vector<double>
+      excess_;  // by block: the differences beyond the budget, in budgets, by how much of the texels is read
   bool measured_ = false;
   ByMaterial within_;                // of the blocks that were within the budget at first
   std::vector<std::size_t> beyond_;  // the others
@@ -284,7 +230,7 @@ class LevelInBlocks {
   std::size_t escalated_ = 0;
 };
 
-// What blocks are tried with in turn: more effort, then more weight on one side.
+// What blocks are tried with in turn: more effort, more weight on one side, then more on the texels that miss the budget.
 std::vector<BlockTry> tries_of(const CompressOptions& how) {
   // Channels of BC4 and BC5 are apart, and neither weights nor effort change them.
   if (how.format->code == BlockCode::bc4 || how.format->code == BlockCode::bc5) return {{how.effort}};
@@ -292,6 +238,7 @@ std::vector<BlockTry> tries_of(const CompressOptions& how) {
   for (int effort = how.effort; effort <= most_block_effort; ++effort) out.push_back({effort});
   for (const float fourth : {4.0f, 16.0f, 0.25f})
     out.push_back({std::min(most_block_effort, how.effort + 1), {1, 1, 1, fourth}});
+  for (int again = 0; again < 2; ++again) out.push_back({most_block_effort, {1, 1, 1, 1}, true});
   return out;
 }
 
@@ -302,9 +249,8 @@ std::vector<bool> missing(const LevelInBlocks& level, const ByMaterial& spreads)
 }
 
 // Compresses a level and takes its bytes.
-BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int number, const TexelsShown& shown,
-                      std::string& bytes) {
-  LevelInBlocks level(job, measure, number, shown);
+BlockLevel compressed(const BlockJob& job, int number, const TexelsShown& shown, std::string& bytes) {
+  LevelInBlocks level(job, number, shown);
   const std::vector<BlockTry> tries = tries_of(job.how);
   level.encode(tries[0]);
   ByMaterial spreads = level.measure();
@@ -346,7 +292,6 @@ BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int numb
 }  // namespace
 
 CompressedTexture compress_texture(const BlockJob& job) {
-  const BlockMeasure measure(job.texture, job.gloss, job.how.budget);
   CompressedTexture out;
   out.blocks.emplace();
   out.blocks->format = job.how.format;
@@ -356,7 +301,7 @@ CompressedTexture compress_texture(const BlockJob& job) {
       const ConstPixelsView8 above = job.pixels.view(job.texture, l - 1);
       shown = next_level(shown, above.width, above.height);
     }
-    out.report.push_back(compressed(job, measure, l, shown, out.blocks->levels.emplace_back()));
+    out.report.push_back(compressed(job, l, shown, out.blocks->levels.emplace_back()));
     const bool met = std::ranges::all_of(out.report.back().materials, &BlockMaterial::met);
     if (met || !job.how.falls_back) continue;
     out.blocks.reset();
