@@ -41,9 +41,9 @@ struct CompressOptions {
 /// and what fits) and astc (4x4).
 CompressOptions compress_word(std::string_view word);
 
-/// How far a material looks from what it was, CIEDE2000 under light (core/pack/blocks/shaded.h).
+/// How far a material looks from what it was under light, CIEDE2000 and the mean of FLIP (core/pack/blocks/shaded.h).
 struct BlockShaded {
-  double p99 = 0, largest = 0;
+  double p99 = 0, largest = 0, flip = 0;
 };
 
 /// What compression does to the texels of a material on one level of a texture, in the units of BlockBudget. Materials

@@ -38,25 +38,28 @@ std::string material_json(const BlockLevel& level, const BlockMaterial& m) {
   return "{\"id\": " + json(m.id) + ", \"" + colour + "_p99\": " + json(m.colour_p99) + ", \"" + colour +
          "_max\": " + json(m.colour_largest) + ", \"" + fourth + "_p99\": " + json(m.fourth_p99) + ", \"" +
          fourth + "_max\": " + json(m.fourth_largest) +
-         (m.shaded ? ", \"shaded_de_p99\": " + json(m.shaded->p99) +
-                         ", \"shaded_de_max\": " + json(m.shaded->largest)
+         (m.shaded ? ", \"shaded_de_p99\": " + json(m.shaded->p99) + ", \"shaded_de_max\": " +
+                         json(m.shaded->largest) + ", \"shaded_flip\": " + json(m.shaded->flip)
                    : "") +
          ", \"met\": " + json(m.met) + "}";
 }
 
 // What the worst material looks like under light.
 std::string shaded_text(const std::vector<BlockLevel>& levels) {
-  const BlockMaterial *usual = nullptr, *most = nullptr;
+  const BlockMaterial *usual = nullptr, *most = nullptr, *seen = nullptr;
   for (const BlockLevel& level : levels)
     for (const BlockMaterial& m : level.materials) {
       if (!m.shaded) continue;
       if (usual == nullptr || m.shaded->p99 > usual->shaded->p99) usual = &m;
       if (most == nullptr || m.shaded->largest > most->shaded->largest) most = &m;
+      if (seen == nullptr || m.shaded->flip > seen->shaded->flip) seen = &m;
     }
   if (usual == nullptr) return {};
   return "shaded under three lights from five angles, materials change by dE " +
          number(usual->shaded->p99, 3) + " at most (99 % of texels, " + line_text(usual->id) +
-         "), no texel by more than " + number(most->shaded->largest, 3) + " (" + line_text(most->id) + ")\n";
+         "), no texel by more than " + number(most->shaded->largest, 3) + " (" + line_text(most->id) +
+         "), and by a mean FLIP of " + number(seen->shaded->flip, 2) + " at most (" + line_text(seen->id) +
+         ")\n";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "core/brdf/models.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/image/flip.h"
 #include "core/light/lights.h"
 #include "core/math/functions.h"
 #include "core/pack/blocks/block_codec.h"
@@ -42,27 +44,30 @@ class Looks {
   }
 
   std::array<Lab, view_degrees.size()> of(const Codes& codes) const {
+    std::array<Lab, view_degrees.size()> out;
+    for (std::size_t v = 0; v < out.size(); ++v) out[v] = to_lab(from(v, codes));
+    return out;
+  }
+
+  // What it looks like from one of them.
+  LinearRgb from(std::size_t v, const Codes& codes) const {
     std::array<double, 4> specular{};
     for (std::size_t c = 0; c < 3; ++c) specular[c] = srgb_decode(codes[specular_channel + c] / 255.0);
     specular[3] =
         std::clamp(converted_gloss(codes[gloss_channel] / 255.0, form_, GlossForm::schueler), 0.0, 1.0);
     const double opacity = opaque_ ? 1 : codes[alpha_channel] / 255.0;
-    std::array<Lab, view_degrees.size()> out;
-    for (std::size_t v = 0; v < views_.size(); ++v) {
-      const Vec3& view = views_[v];
-      Vec3 sum{};
-      for (const Lit& light : lights_) {
-        std::array<double, 3> lobe{};
-        model_.f64({light.to[0], light.to[1], light.to[2], view[0], view[1], view[2]}, specular.data(),
-                   lobe.data());
-        for (std::size_t c = 0; c < 3; ++c)
-          sum[c] += light.irradiance[c] * light.to[2] *
-                    (srgb_decode(codes[c] / 255.0) / std::numbers::pi + lobe[c]);
-      }
-      for (double& each : sum) each = opacity * std::min(1.0, each);
-      out[v] = to_lab(LinearRgb{sum[0], sum[1], sum[2]});
+    const Vec3& view = views_[v];
+    Vec3 sum{};
+    for (const Lit& light : lights_) {
+      std::array<double, 3> lobe{};
+      model_.f64({light.to[0], light.to[1], light.to[2], view[0], view[1], view[2]}, specular.data(),
+                 lobe.data());
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] +=
+            light.irradiance[c] * light.to[2] * (srgb_decode(codes[c] / 255.0) / std::numbers::pi + lobe[c]);
     }
-    return out;
+    for (double& each : sum) each = opacity * std::min(1.0, each);
+    return {sum[0], sum[1], sum[2]};
   }
 
  private:
@@ -75,6 +80,29 @@ class Looks {
   std::vector<Lit> lights_;
   std::array<Vec3, view_degrees.size()> views_;
 };
+
+// A part of a material under light, as its textures are and as their blocks hold them; black where it reads nothing.
+struct ShadedPart {
+  Image exact, held;  // linear light, red, green and blue
+  std::vector<bool> read;
+};
+
+// Some blocks of a page, and the direction from which they are seen.
+struct Window {
+  std::size_t left, top, width, height, view;
+};
+
+// Sums of differences from each direction, by block.
+using Sums = std::map<std::size_t, std::array<double, view_degrees.size()>>;
+
+double mean_flip(const ShadedPart& part) {
+  if (part.exact == part.held) return 0;
+  const std::vector<double> map = flip(flip_view(part.exact), flip_view(part.held)).map;
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < map.size(); ++i)
+    if (part.read[i]) sum += map[i], ++count;
+  return sum / count;
+}
 
 // The textures of a page as they are and as their blocks hold them.
 class ShadedPage {
@@ -94,64 +122,157 @@ class ShadedPage {
       plane.codec.emplace(*its.blocks->format, job.astc);
       plane.bytes = &its.blocks->levels.front();
       plane.uses = block_uses(job.decision, job.shown, job.page, texture, 0, its.blocks->format->block_width);
+      plane.owned.resize(job.materials.size());
+      for (std::size_t b = 0; b < plane.uses.owner.size(); ++b)
+        if (const auto& owner = plane.uses.owner[b]) plane.owned[*owner].push_back(b);
     }
+    same_uses_ = planes_[0].codec && planes_[1].codec && planes_[0].uses.used == planes_[1].uses.used;
   }
 
-  // The differences of a material's texels that a texture in blocks holds.
-  BlockShaded differences(Texture texture, std::size_t material) const {
+  // Whether the texels that count of a material are the same in both textures, which are in blocks.
+  bool are_same(std::size_t material) const {
+    return same_uses_ && planes_[0].owned[material] == planes_[1].owned[material];
+  }
+
+  // The differences of a material's texels that a texture in blocks holds, without FLIP.
+  //   sums   gets those of the differences
+  BlockShaded differences(Texture texture, std::size_t material, Sums& sums) const {
     const Plane& plane = planes_[index_of(texture)];
-    const BlockUses& uses = plane.uses;
-    const auto width = static_cast<std::size_t>(plane.view->width);
-    const auto side = static_cast<std::size_t>(plane.codec->format().block_width);
-    const auto each_read = [&](const auto& see) {
-      for (std::size_t b = 0; b < uses.owner.size(); ++b) {
-        if (uses.owner[b] != material) continue;
-        const std::size_t left = b % static_cast<std::size_t>(uses.across) * side,
-                          top = b / static_cast<std::size_t>(uses.across) * side;
-        for (std::size_t y = top; y < std::min(top + side, uses.used.size() / width); ++y)
-          for (std::size_t x = left; x < std::min(left + side, width); ++x)
-            if (uses.used[y * width + x] != 0) see(x, y);
-      }
-    };
     std::size_t total = 0, at = 0, taken = 0;
-    each_read([&](std::size_t, std::size_t) { ++total; });
-    const PackInput& input = job_.materials[material];
-    const Looks looks(job_.gloss, input.alpha_mode == AlphaMode::opaque);
+    for (const std::size_t b : plane.owned[material])
+      each_read(plane, b, [&](std::size_t, std::size_t) { ++total; });
+    const Looks looks = looks_of(material);
+    LastBlocks last;
     Spread spread(0.01);
     const std::size_t count = std::min(total, most_shaded_texels);
-    each_read([&](std::size_t x, std::size_t y) {
-      if (at++ != taken * total / count) return;
-      ++taken;
-      const Codes exact = codes(x, y, material, false), held = codes(x, y, material, true);
-      if (exact == held) {
-        for (std::size_t v = 0; v < view_degrees.size(); ++v) spread.add(0);
-        return;
+    for (const std::size_t b : plane.owned[material])
+      each_read(plane, b, [&](std::size_t x, std::size_t y) {
+        if (at++ != taken * total / count) return;
+        ++taken;
+        const Codes exact = codes(x, y, material, nullptr), held = codes(x, y, material, &last);
+        if (exact == held) {
+          for (std::size_t v = 0; v < view_degrees.size(); ++v) spread.add(0);
+          return;
+        }
+        const auto from = looks.of(exact), to = looks.of(held);
+        for (std::size_t v = 0; v < from.size(); ++v) {
+          const double difference = delta_e2000(from[v], to[v]);
+          spread.add(difference);
+          sums[b][v] += difference;
+        }
+      });
+    return {spread.percentile_99(), spread.largest(), 0};
+  }
+
+  // Where a material's blocks changed most, up to most_shaded_side each way, from the direction in which they did.
+  Window window(Texture texture, std::size_t material, const Sums& of) const {
+    const Plane& plane = planes_[index_of(texture)];
+    const std::vector<std::size_t>& owned = plane.owned[material];
+    const auto across = static_cast<std::size_t>(plane.uses.across);
+    Window all{across, owned.front() / across, 0, owned.back() / across - owned.front() / across + 1, 0};
+    for (const std::size_t b : owned) all.left = std::min(all.left, b % across);
+    for (const std::size_t b : owned) all.width = std::max(all.width, b % across + 1 - all.left);
+    std::array<double, view_degrees.size()> total{};
+    for (const auto& [b, differences] : of)
+      for (std::size_t v = 0; v < total.size(); ++v) total[v] += differences[v];
+    const std::size_t side = most_shaded_side / plane.side(),
+                      view = static_cast<std::size_t>(std::ranges::max_element(total) - total.begin());
+    Window best{all.left, all.top, std::min(side, all.width), std::min(side, all.height), view};
+    // Sums of what is above and to the left.
+    const std::size_t row = all.width + 1;
+    std::vector<double> sums(row * (all.height + 1));
+    for (const auto& [b, differences] : of)
+      sums[(b / across - all.top + 1) * row + b % across - all.left + 1] = differences[view];
+    for (std::size_t i = row + 1; i < sums.size(); ++i)
+      if (i % row != 0) sums[i] += sums[i - 1] + sums[i - row] - sums[i - row - 1];
+    double most = 0;
+    for (std::size_t y = 0; y + best.height <= all.height; ++y)
+      for (std::size_t x = 0; x + best.width <= all.width; ++x) {
+        const double* above = &sums[y * row + x];
+        const double* below = above + best.height * row;
+        const double sum = below[best.width] - below[0] - above[best.width] + above[0];
+        if (sum <= most) continue;
+        most = sum;
+        best.left = all.left + x;
+        best.top = all.top + y;
       }
-      const auto from = looks.of(exact), to = looks.of(held);
-      for (std::size_t v = 0; v < from.size(); ++v) spread.add(delta_e2000(from[v], to[v]));
-    });
-    return {spread.percentile_99(), spread.largest()};
+    return best;
+  }
+
+  // A part of a material.
+  ShadedPart part(Texture texture, std::size_t material, const Window& window) const {
+    const Plane& plane = planes_[index_of(texture)];
+    const auto across = static_cast<std::size_t>(plane.uses.across), side = plane.side();
+    const std::size_t width = window.width * side, view = window.view;
+    ShadedPart out;
+    out.exact = out.held = Image(static_cast<int>(width), static_cast<int>(window.height * side), 3);
+    out.read.resize(out.exact.pixel_count());
+    const Looks looks = looks_of(material);
+    LastBlocks last;
+    for (const std::size_t b : plane.owned[material]) {
+      // What is left of the window or above it has huge differences.
+      if (b % across - window.left >= window.width || b / across - window.top >= window.height) continue;
+      each_read(plane, b, [&](std::size_t x, std::size_t y) {
+        const Codes exact = codes(x, y, material, nullptr), held = codes(x, y, material, &last);
+        const std::size_t i = (y - window.top * side) * width + x - window.left * side;
+        out.read[i] = true;
+        const auto put = [&](const LinearRgb& light, Image& to) {
+          to.values[3 * i] = static_cast<float>(light.r);
+          to.values[3 * i + 1] = static_cast<float>(light.g);
+          to.values[3 * i + 2] = static_cast<float>(light.b);
+        };
+        const LinearRgb light = looks.from(view, exact);
+        put(light, out.exact);
+        put(exact == held ? light : looks.from(view, held), out.held);
+      });
+    }
+    return out;
   }
 
  private:
+  using Texel = std::array<std::uint8_t, 4>;
   struct Plane {
     std::optional<ConstPixelsView8> view;  // none: the page has no such texture
     std::optional<BlockCodec> codec;       // none: it is not in blocks
     const std::string* bytes = nullptr;
     BlockUses uses;
-    std::vector<bool> holds;  // by material
+    std::vector<bool> holds;                      // by material
+    std::vector<std::vector<std::size_t>> owned;  // blocks by material
+    std::size_t side() const { return static_cast<std::size_t>(codec->format().block_width); }
   };
+  // The block that was decoded last, of each texture; neighbours are mostly of one.
+  struct LastBlock {
+    std::size_t number = std::size_t(-1);
+    std::vector<Texel> texels;
+  };
+  using LastBlocks = std::array<LastBlock, 2>;
 
-  Codes codes(std::size_t x, std::size_t y, std::size_t material, bool held) const {
+  Looks looks_of(std::size_t material) const {
+    return {job_.gloss, job_.materials[material].alpha_mode == AlphaMode::opaque};
+  }
+
+  // The texels of a block that count.
+  template <class See>
+  static void each_read(const Plane& plane, std::size_t block, const See& see) {
+    const std::size_t side = plane.side(), width = static_cast<std::size_t>(plane.view->width),
+                      across = static_cast<std::size_t>(plane.uses.across);
+    const std::size_t left = block % across * side, top = block / across * side;
+    for (std::size_t y = top; y < std::min(top + side, plane.uses.used.size() / width); ++y)
+      for (std::size_t x = left; x < std::min(left + side, width); ++x)
+        if (plane.uses.used[y * width + x] != 0) see(x, y);
+  }
+
+  //   last   null: as the textures are, else as their blocks hold them
+  Codes codes(std::size_t x, std::size_t y, std::size_t material, LastBlocks* last) const {
     Codes out = elsewhere;
     const MaterialFate& fate = job_.decision.left_out.fates[material];
     for (const Texture texture : both_textures) {
       const std::size_t first = texture == Texture::diffuse_alpha ? 0 : specular_channel;
       const Plane& plane = planes_[index_of(texture)];
       if (plane.view && plane.holds[material]) {
-        std::array<std::uint8_t, 4> texel{};
+        Texel texel{};
         std::copy_n(plane.view->at(static_cast<int>(x), static_cast<int>(y)), 4, texel.data());
-        if (held && plane.codec) texel = decoded(plane, x, y);
+        if (last != nullptr && plane.codec) texel = decoded(plane, x, y, (*last)[index_of(texture)]);
         std::ranges::copy(texel, out.begin() + static_cast<std::ptrdiff_t>(first));
       }
     }
@@ -159,29 +280,41 @@ class ShadedPage {
     return out;
   }
 
-  static std::array<std::uint8_t, 4> decoded(const Plane& plane, std::size_t x, std::size_t y) {
-    const BlockFormat& format = plane.codec->format();
-    const auto side = static_cast<std::size_t>(format.block_width);
+  static Texel decoded(const Plane& plane, std::size_t x, std::size_t y, LastBlock& last) {
+    const std::size_t side = plane.side();
     const std::size_t block = y / side * static_cast<std::size_t>(plane.uses.across) + x / side;
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a file
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(plane.bytes->data());
-    return plane.codec->decode(bytes + format.block_bytes * block, 1)[y % side * side + x % side];
+    if (last.number != block) {
+      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a file
+      const auto* bytes = reinterpret_cast<const std::uint8_t*>(plane.bytes->data());
+      last = {block, plane.codec->decode(bytes + plane.codec->format().block_bytes * block, 1)};
+    }
+    return last.texels[y % side * side + x % side];
   }
 
   const BlockJob& job_;
   std::array<Plane, 2> planes_;
+  bool same_uses_ = false;
 };
 
 }  // namespace
 
 void tell_shaded(const BlockJob& job, std::array<CompressedTexture, 2>& made) {
   const ShadedPage page(job, made);
+  std::vector<std::optional<BlockShaded>> told(job.materials.size());
   for (const Texture texture : both_textures) {
     if (!made[index_of(texture)].blocks) continue;
     std::vector<BlockMaterial>& materials = made[index_of(texture)].report.front().materials;
     parallel_chunks(materials.size(), job.threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
-      for (std::size_t m = begin; m < end; ++m)
-        materials[m].shaded = page.differences(texture, materials[m].number);
+      for (std::size_t m = begin; m < end; ++m) {
+        const std::size_t material = materials[m].number;
+        std::optional<BlockShaded>& its = told[material];
+        if (!its || !page.are_same(material)) {
+          Sums sums;
+          its = page.differences(texture, material, sums);
+          its->flip = mean_flip(page.part(texture, material, page.window(texture, material, sums)));
+        }
+        materials[m].shaded = its;
+      }
     });
   }
 }
