@@ -2,8 +2,10 @@
 #include "core/pack/blocks/budget.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -109,36 +111,54 @@ double BlockMeasure::fourth(std::uint8_t from, std::uint8_t to, int cutoff) cons
   return std::abs(from - to) / 2.55;
 }
 
-void BlockMeasure::weigh(AnyBlock& block) const {
-  std::array<int, 4> sum{};
-  int count = 0;
-  for (std::size_t i = 0; i < block.texels.size(); ++i) {
-    if ((block.counting >> i & 1) == 0) continue;
-    ++count;
-    for (std::size_t c = 0; c < 4; ++c) sum[c] += block.texels[i][c];
-  }
-  std::array<std::uint8_t, 4> mean{};
-  for (std::size_t c = 0; c < 4 && count > 0; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / count);
+BlockMeasure::CodeForm BlockMeasure::form_around(const Code& mean) const {
   // What a code changes is looked up around the mean.
-  constexpr double alpha_percent = 1 / 2.55, least_delta_e = 0.05, most_gloss_percent = 30;
   constexpr int step = 3;
   const Lab at = lab(mean);
   std::array<Vec3, 3> change{};
   for (std::size_t c = 0; c < 3; ++c) {
     const int codes = mean[c] < 128 ? step : -step;
-    std::array<std::uint8_t, 4> beside = mean;
+    Code beside = mean;
     beside[c] = static_cast<std::uint8_t>(mean[c] + codes);
     const Lab to = lab(beside);
     change[c] = {(to.l - at.l) / codes, (to.a - at.a) / codes, (to.b - at.b) / codes};
   }
   const Mat3 metric = delta_e2000_around(at);
-  const double budgets = colour_budget_ * colour_budget_;
+  CodeForm out;
   for (std::size_t a = 0; a < 3; ++a) {
     const Vec3 by = metric * change[a];
-    block.weights[a] =
-        static_cast<float>(std::max(least_delta_e * least_delta_e, dot(by, change[a])) / budgets);
-    for (std::size_t b = a + 1; b < 3; ++b)
-      block.pairs[a + b - 1] = static_cast<float>(dot(by, change[b]) / budgets);
+    out.squares[a] = static_cast<float>(dot(by, change[a]));
+    for (std::size_t b = a + 1; b < 3; ++b) out.pairs[a + b - 1] = static_cast<float>(dot(by, change[b]));
+  }
+  return out;
+}
+
+void BlockMeasure::weigh(AnyBlock& block) const {
+  std::array<int, 4> sum{};
+  for (std::uint64_t left = block.counting; left != 0; left &= left - 1)
+    for (std::size_t c = 0; c < 4; ++c)
+      sum[c] += block.texels[static_cast<std::size_t>(std::countr_zero(left))][c];
+  const int count = std::max(1, std::popcount(block.counting));
+  Code mean{};
+  for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / count);
+  // Blocks of a texture have few means, and what a thread has computed for one stays in the row of its last bits.
+  struct Known {
+    std::uint32_t colour = 0;  // with a bit above it; 0: none yet
+    CodeForm form;
+  };
+  constexpr unsigned rows = 8;
+  thread_local std::array<Known, rows * rows * rows> all_known;
+  static_assert(std::is_trivially_destructible_v<decltype(all_known)>);
+  Known& known = all_known[(mean[0] % rows * rows + mean[1] % rows) * rows + mean[2] % rows];
+  const std::uint32_t colour = 1u << 24 | unsigned{mean[0]} << 16 | unsigned{mean[1]} << 8 | mean[2];
+  if (known.colour != colour) known = {colour, form_around(mean)};
+
+  constexpr double alpha_percent = 1 / 2.55, least_delta_e = 0.05, most_gloss_percent = 30;
+  const auto budgets = static_cast<float>(colour_budget_ * colour_budget_);
+  for (std::size_t c = 0; c < 3; ++c) {
+    block.weights[c] =
+        std::max(static_cast<float>(least_delta_e * least_delta_e), known.form.squares[c]) / budgets;
+    block.pairs[c] = known.form.pairs[c] / budgets;
   }
   const auto next = static_cast<std::uint8_t>(mean[3] < 255 ? mean[3] + 1 : 254);
   const double fourth_budgets =

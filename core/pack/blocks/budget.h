@@ -54,6 +54,13 @@ class BlockMeasure {
   void weigh(AnyBlock& block) const;
 
  private:
+  using Code = std::array<std::uint8_t, 4>;
+  // CIEDE2000 of small differences of codes, squared, as a quadratic form; pairs as in AnyBlock.
+  struct CodeForm {
+    std::array<float, 3> squares{};
+    PairWeights pairs{};
+  };
+  CodeForm form_around(const Code& mean) const;
   Lab lab(const std::array<std::uint8_t, 4>& code) const {
     return to_lab(LinearRgb{linear_[code[0]], linear_[code[1]], linear_[code[2]]});
   }

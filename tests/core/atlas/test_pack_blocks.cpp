@@ -5,6 +5,8 @@
 #include <cstring>
 #include <map>
 #include <numbers>
+#include <random>
+#include <thread>
 #include <tuple>
 
 #include "core/brdf/models.h"
@@ -495,6 +497,29 @@ TEST_CASE("FLIP of a material in blocks is of the part that they change most") {
   const PackResult result = pack_text(folder, manifest_of({entry}), in_blocks("bc7", {"ktx2"}));
   REQUIRE(result.blocks.at(0).materials.at(0).shaded);
   CHECK(result.blocks[0].materials[0].shaded->flip > 0.001);
+}
+
+TEST_CASE("the weights of a block's channels depend on that block alone") {
+  std::mt19937 random(9);
+  std::vector<AnyBlock> blocks(3000);
+  for (AnyBlock& block : blocks) {
+    block.counting = 1u + random() % 0xffff;
+    for (auto& texel : block.texels)
+      for (std::uint8_t& code : texel) code = static_cast<std::uint8_t>(random() % 40);
+  }
+  const BlockMeasure measure(Texture::diffuse_alpha, GlossForm::schueler, {}),
+      other(Texture::specular_gloss, GlossForm::schueler, {2, 3, 4, 5});
+  std::vector<AnyBlock> forward = blocks, back = blocks;
+  for (AnyBlock& block : forward) measure.weigh(block);
+  std::thread([&] {
+    for (std::size_t b = blocks.size(); b-- > 0;) {
+      AnyBlock beside = blocks[b];
+      other.weigh(beside);
+      measure.weigh(back[b]);
+    }
+  }).join();
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    CHECK((forward[b].weights == back[b].weights && forward[b].pairs == back[b].pairs));
 }
 
 TEST_CASE("a budget is a multiple of the usual one, or names its parts") {
