@@ -41,7 +41,15 @@ std::optional<Picture> texture_file(std::string_view bytes, const std::string& l
   const bool ktx2 = format == "ktx2";
   if (!ktx2 && (format != "dds" || !has_known_dds_format(bytes))) return {};
   TextureFile file = ktx2 ? read_ktx2(bytes, label, door.astc) : read_dds(bytes, label);
-  Picture out{header_of(file.levels.front()), {}};
+  Picture out;
+  if (holds_floats(file.blocks)) {
+    out.header = header_of(file.floats.front());
+    out.header.bits = 16;
+    out.pixels = std::move(file.floats.front());
+  } else {
+    out.header = header_of(file.levels.front());
+    out.pixels = std::move(file.levels.front());
+  }
   out.header.format = format;
   if (file.blocks != nullptr) {
     out.header.lossy = true;
@@ -49,7 +57,6 @@ std::optional<Picture> texture_file(std::string_view bytes, const std::string& l
     out.header.bits_per_texel = bits_per_texel(*file.blocks);
   }
   if (file.srgb) out.header.colour_space = "srgb";
-  out.pixels = std::move(file.levels.front());
   return out;
 }
 

@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const Error&) {
     return 0;
   }
-  assert(!file.levels.empty());
+  assert(holds_floats(file.blocks) ? !file.floats.empty() : !file.levels.empty());
   if (file.blocks != nullptr) {
     for (const Image8& level : file.levels) assert(level.channels == file.blocks->channels);
     return 0;

@@ -2,6 +2,7 @@
 #include "core/image/blocks/blocks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cstring>
 
@@ -69,6 +70,35 @@ const BlockFormat* find_format(std::uint32_t number, std::uint32_t BlockFormat::
   return nullptr;
 }
 
+// A level that decode() makes of its blocks, whole as they are at its right and lower edge.
+template <class Value, class Decode>
+Pixels<Value> level_by(const Decode& decode, std::string_view bytes, const BlockFormat& format, int width,
+                       int height) {
+  assert(bytes.size() == texture_level_bytes(&format, width, height));
+  Pixels<Value> out(width, height, format.channels);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a file
+  const auto* block = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  for (int top = 0; top < height; top += block_side)
+    for (int left = 0; left < width; left += block_side, block += format.block_bytes) {
+      const auto texels = decode(block);
+      for (int y = top; y < std::min(height, top + block_side); ++y)
+        for (int x = left; x < std::min(width, left + block_side); ++x)
+          std::copy_n(texels[static_cast<std::size_t>(block_side * (y - top) + x - left)].data(),
+                      format.channels, out.at(x, y).data());
+    }
+  return out;
+}
+
+// The value of a half float, exact.
+float float_of(std::uint16_t half) {
+  const std::uint32_t exponent = half >> 10 & 31, mantissa = half & 1023;
+  if (exponent == 0)
+    return (half & 0x8000) != 0 ? -0x1p-24f * static_cast<float>(mantissa)
+                                : 0x1p-24f * static_cast<float>(mantissa);
+  const std::uint32_t wide = exponent == 31 ? 255 : exponent + 127 - 15;
+  return std::bit_cast<float>((half & 0x8000u) << 16 | wide << 23 | mantissa << 13);
+}
+
 }  // namespace
 
 const BlockFormat* block_format_of_vk(std::uint32_t vk) {
@@ -86,7 +116,7 @@ std::size_t texture_level_bytes(const BlockFormat* format, int width, int height
 }
 
 BlockTexels decode_block(BlockCode code, const std::uint8_t* block) {
-  assert(code != BlockCode::astc);
+  assert(code <= BlockCode::bc7 && code != BlockCode::bc6h);
   if (code == BlockCode::bc7) return decode_bc7(block);
   BlockTexels out;
   out.fill({0, 0, 0, 255});
@@ -113,23 +143,25 @@ BlockTexels decode_block(BlockCode code, const std::uint8_t* block) {
 }
 
 Image8 level_of(std::string_view bytes, const BlockFormat* format, int width, int height) {
-  assert(bytes.size() == texture_level_bytes(format, width, height));
-  Image8 out(width, height, format != nullptr ? format->channels : 4);
-  if (format == nullptr) {
-    std::memcpy(out.values.data(), bytes.data(), bytes.size());
-    return out;
-  }
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a file
-  const auto* block = reinterpret_cast<const std::uint8_t*>(bytes.data());
-  for (int top = 0; top < height; top += block_side)
-    for (int left = 0; left < width; left += block_side, block += format->block_bytes) {
-      const BlockTexels texels = decode_block(format->code, block);
-      for (int y = top; y < std::min(height, top + block_side); ++y)
-        for (int x = left; x < std::min(width, left + block_side); ++x)
-          std::copy_n(texels[static_cast<std::size_t>(block_side * (y - top) + x - left)].data(),
-                      format->channels, out.at(x, y).data());
-    }
+  if (format != nullptr)
+    return level_by<std::uint8_t>(
+        [format](const std::uint8_t* block) { return decode_block(format->code, block); }, bytes, *format,
+        width, height);
+  assert(bytes.size() == texture_level_bytes(nullptr, width, height));
+  Image8 out(width, height, 4);
+  std::memcpy(out.values.data(), bytes.data(), bytes.size());
   return out;
+}
+
+Image float_level_of(std::string_view bytes, const BlockFormat& format, int width, int height) {
+  assert(holds_floats(&format));
+  const auto decode = [with_sign = format.code == BlockCode::bc6h_signed](const std::uint8_t* block) {
+    const BlockHalves halves = decode_bc6h(block, with_sign);
+    std::array<std::array<float, 3>, 16> out;
+    for (std::size_t i = 0; i < out.size(); ++i) std::ranges::transform(halves[i], out[i].data(), float_of);
+    return out;
+  };
+  return level_by<float>(decode, bytes, format, width, height);
 }
 
 }  // namespace etak

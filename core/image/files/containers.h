@@ -66,10 +66,14 @@ void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_
 /// A texture that was read from a KTX2 or DDS file.
 struct TextureFile {
   std::vector<Image8> levels;
+  std::vector<Image> floats;            // the levels in place of these where holds_floats(blocks)
   const BlockFormat* blocks = nullptr;  // the format of the file, one of block_formats; null for RGBA8
   bool srgb = true;
   bool custom_alpha = false;  // set by DDS files with a DX10 header only
 };
+
+/// Decodes a level of any format but ASTC, and adds it to those of a file.
+void add_level(TextureFile& file, const TextureLevel& level);
 
 /// For programs that load an atlas: these read the files that write_ktx2() and write_dds() make, other
 /// uncompressed RGBA8 files of these formats, and textures in the formats of block_formats, decoded (2-D, one

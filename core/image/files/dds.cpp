@@ -141,8 +141,9 @@ TextureFile read_dds(std::string_view bytes, std::string_view path) {
     expect(bytes.size() >= dx10_end, "a DX10 header of bytes", bytes.size() - header_end, "20");
     at = dx10_end;
     const std::uint32_t alpha = u32(144) & 7;
-    expect(format.known, "DXGI format", u32(128),
-           "R8G8B8A8 (28, 29), BC1 (71, 72), BC2 (74, 75), BC3 (77, 78), BC4 (80), BC5 (83) or BC7 (98, 99)");
+    expect(
+        format.known, "DXGI format", u32(128),
+        "R8G8B8A8 (28, 29), BC1 (71, 72), BC2 (74, 75), BC3 (77, 78), BC4 (80), BC5 (83), BC6H (95, 96) or BC7 (98, 99)");
     expect(u32(132) == texture_2d, "resource dimension", u32(132), "3: a 2-D texture");
     expect((u32(136) & misc_cube) == 0, "misc flags", u32(136), "no cube map");
     expect(u32(140) == 1, "layers", u32(140), "1");
@@ -176,7 +177,7 @@ TextureFile read_dds(std::string_view bytes, std::string_view path) {
   for (std::uint32_t l = 0; l < count; ++l) {
     const int level_width = side(width, l), level_height = side(height, l);
     const std::size_t length = texture_level_bytes(file.blocks, level_width, level_height);
-    file.levels.push_back(level_of(bytes.substr(at, length), file.blocks, level_width, level_height));
+    add_level(file, {level_width, level_height, bytes.substr(at, length)});
     at += length;
   }
   return file;

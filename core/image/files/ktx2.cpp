@@ -40,9 +40,10 @@ void pad_to_4(std::string& out) {
 // A sample of a data format descriptor: the bits of a texel block that hold a channel.
 struct Sample {
   unsigned first_bit, bits, channel;
-  std::uint32_t most;  // the code that stands for 1
+  std::uint32_t most;       // the code that stands for 1; of floats their bits
+  std::uint32_t least = 0;  // that stands for 0, or for -1 of floats with a sign
 };
-constexpr unsigned alpha_channel = 15, linear_sample = 0x10;
+constexpr unsigned alpha_channel = 15, linear_sample = 0x10, signed_sample = 0x40, float_sample = 0x80;
 
 // The samples of a format (Khronos Data Format Specification 1.3, tables of the compressed formats).
 std::vector<Sample> samples_of(const BlockFormat* blocks) {
@@ -57,6 +58,10 @@ std::vector<Sample> samples_of(const BlockFormat* blocks) {
       return {{0, 64, 0, all}, {64, 64, 1, all}};
     case BlockCode::bc1:
       return {{0, 64, blocks->channels == 4 ? 1u : 0u, all}};  // 1: with transparent texels
+    case BlockCode::bc6h:
+      return {{0, 128, float_sample, 0x3f800000}};
+    case BlockCode::bc6h_signed:
+      return {{0, 128, float_sample | signed_sample, 0x3f800000, 0xbf800000}};
     default:
       return {{0, static_cast<unsigned>(8 * blocks->block_bytes), 0, all}};
   }
@@ -65,9 +70,9 @@ std::vector<Sample> samples_of(const BlockFormat* blocks) {
 // The number of the colour model of a format: 1 is RGB with alpha.
 std::uint64_t colour_model(const BlockFormat* blocks) {
   if (blocks == nullptr) return 1;
-  constexpr std::uint64_t bc1 = 128, bc7 = 134, astc = 162;
+  constexpr std::uint64_t bc1 = 128, astc = 162;
   if (blocks->code == BlockCode::astc) return astc;
-  return blocks->code == BlockCode::bc7 ? bc7 : bc1 + static_cast<std::uint64_t>(blocks->code);
+  return bc1 + static_cast<std::uint64_t>(holds_floats(blocks) ? BlockCode::bc6h : blocks->code);
 }
 
 // The basic data format descriptor. Its transfer function is that of the colour; where that is sRGB, the sample
@@ -97,7 +102,7 @@ std::string data_format_descriptor(const BlockFormat* blocks, bool srgb) {
     append(out, sample.bits - 1, 1);
     append(out, sample.channel | (linear ? linear_sample : 0), 1);
     append32(out, 0);  // sample position
-    append32(out, 0);  // code 0 stands for the value 0
+    append32(out, sample.least);
     append32(out, sample.most);
   }
   return out;
@@ -180,8 +185,11 @@ struct Reader {
         fail("premultiplied alpha", "straight alpha");
     }
     if (same != expected)
-      fail("a data format descriptor that is not that of the Vulkan format",
-           std::string(blocks != nullptr ? blocks->name : "R8G8B8A8") + (srgb ? "_SRGB's" : "_UNORM's"));
+      fail(
+          "a data format descriptor that is not that of the Vulkan format",
+          std::string(blocks != nullptr ? blocks->name : "R8G8B8A8") + (srgb                   ? "_SRGB's"
+                                                                        : holds_floats(blocks) ? "'s"
+                                                                                               : "_UNORM's"));
   }
 
   // Only the orientation matters: a picture stored from the bottom would be read upside down.
@@ -216,14 +224,13 @@ struct Reader {
 #endif
 };
 
-// The texels of a level; ASTC by the functions that the program has for it.
-Image8 decoded_level(std::string_view bytes, const TextureFile& file, const TextureLevel& level,
-                     const AstcDoor& astc, std::string_view path) {
-  if (file.blocks == nullptr || file.blocks->code != BlockCode::astc)
-    return level_of(bytes, file.blocks, level.width, level.height);
+// Adds a level's texels; ASTC is decoded by the functions that the program has for it.
+void add_level(TextureFile& file, const TextureLevel& level, const AstcDoor& astc, std::string_view path) {
+  if (file.blocks == nullptr || file.blocks->code != BlockCode::astc) return add_level(file, level);
   if (!astc.decode)
     throw Error::at(path, "is in ASTC, which needs a decoder of pictures", "BC1 to BC7, or RGBA8");
-  return astc.decode(bytes, {file.blocks, file.srgb}, level.width, level.height, std::string(path));
+  file.levels.push_back(
+      astc.decode(level.bytes, {file.blocks, file.srgb}, level.width, level.height, std::string(path)));
 }
 
 }  // namespace
@@ -234,6 +241,13 @@ bool has_zstd() {
 #else
   return false;
 #endif
+}
+
+void add_level(TextureFile& file, const TextureLevel& level) {
+  if (holds_floats(file.blocks))
+    file.floats.push_back(float_level_of(level.bytes, *file.blocks, level.width, level.height));
+  else
+    file.levels.push_back(level_of(level.bytes, file.blocks, level.width, level.height));
 }
 
 std::vector<TextureLevel> texture_levels(std::span<const ConstPixelsView8> levels) {
@@ -327,7 +341,7 @@ TextureFile read_ktx2(std::string_view bytes, std::string_view path, const AstcD
   const BlockFormat* blocks = block_format_of_vk(format);
   r.expect(
       blocks != nullptr || format == vk_r8g8b8a8_unorm || format == vk_r8g8b8a8_srgb, "Vulkan format", format,
-      "37 or 43 (R8G8B8A8), 131 to 138 (BC1 to BC3), 139 (BC4), 141 (BC5), 145 or 146 (BC7) or 157 to 172 (ASTC)");
+      "37 or 43 (R8G8B8A8), 131 to 138 (BC1 to BC3), 139 (BC4), 141 (BC5), 143 or 144 (BC6H), 145 or 146 (BC7) or 157 to 172 (ASTC)");
   r.expect(r.u32(16) == 1, "typeSize", r.u32(16), "1");
   const std::uint32_t width = r.u32(20), height = r.u32(24);
   for (const std::uint32_t side : {width, height})
@@ -382,7 +396,7 @@ TextureFile read_ktx2(std::string_view bytes, std::string_view path, const AstcD
       r.decompress(data[l], plain);
     }
     const std::string_view texels = scheme == scheme_zstd ? plain : data[l];
-    file.levels.push_back(decoded_level(texels, file, {side(width, l), side(height, l), {}}, astc, path));
+    add_level(file, {side(width, l), side(height, l), texels}, astc, path);
   }
   return file;
 }

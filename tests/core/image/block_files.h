@@ -63,16 +63,18 @@ inline std::string raw_zstd(const std::string& bytes) {
 /// The data format descriptor of a format in blocks, in words of 32 bits (Khronos Data Format 1.3, chapter 5).
 ///   samples   {first bit, bits, channel} of each
 ///   sides     of a block, each less 1: the height in bits 8 to 15, the width in bits 0 to 7
+///   range     of a sample's values
 inline std::string block_descriptor(unsigned model, bool srgb, unsigned block_bytes,
                                     const std::vector<std::array<unsigned, 3>>& samples,
-                                    unsigned sides = 0x0303u) {
+                                    unsigned sides = 0x0303u,
+                                    std::array<unsigned, 2> range = {0, 0xffffffffu}) {
   const auto size = static_cast<unsigned>(24 + 16 * samples.size());
   std::string out;
   for (const unsigned word :
        {size + 4, 0u, size << 16 | 2, (srgb ? 2u : 1u) << 16 | 1u << 8 | model, sides, block_bytes, 0u})
     bytes_le::append32(out, word);
   for (const auto& each : samples)
-    for (const unsigned word : {each[2] << 24 | (each[1] - 1) << 16 | each[0], 0u, 0u, 0xffffffffu})
+    for (const unsigned word : {each[2] << 24 | (each[1] - 1) << 16 | each[0], 0u, range[0], range[1]})
       bytes_le::append32(out, word);
   return out;
 }

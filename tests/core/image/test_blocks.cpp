@@ -39,6 +39,11 @@ std::string descriptor_of(const BlockFormat& format, bool srgb) {
   if (format.name == "BC3") return test::block_descriptor(130, srgb, 16, {{0, 64, alpha}, {64, 64, 0}});
   if (format.name == "BC4") return test::block_descriptor(131, srgb, 8, {{0, 64, 0}});
   if (format.name == "BC5") return test::block_descriptor(132, srgb, 16, {{0, 64, 0}, {64, 64, 1}});
+  // Floats, with the bits of 0 or -1 and 1 as range.
+  if (format.name == "BC6H")
+    return test::block_descriptor(133, false, 16, {{0, 128, 0x80}}, 0x0303, {0, 0x3f800000});
+  if (format.name == "BC6H signed")
+    return test::block_descriptor(133, false, 16, {{0, 128, 0xc0}}, 0x0303, {0xbf800000, 0x3f800000});
   return test::block_descriptor(134, srgb, 16, {{0, 128, 0}});
 }
 
@@ -51,14 +56,29 @@ constexpr std::array four_ccs{FourCc{"DXT1", "BC1"}, FourCc{"DXT3", "BC2"}, Four
 const std::pair<int, int> block_sizes[] = {{16, 16}, {20, 12}, {5, 3}, {1, 1}, {1, 9}, {7, 1}};
 
 // What OpenImageIO's decoder makes of a DDS file.
-Image8 by_oiio(const std::string& path) {
+template <class Value>
+Pixels<Value> by_oiio(const std::string& path, OIIO::TypeDesc type) {
   const auto input = OIIO::ImageInput::open(path);
   INFO(OIIO::geterror());
   REQUIRE(input);
   const OIIO::ImageSpec& spec = input->spec();
-  Image8 out(spec.width, spec.height, spec.nchannels);
-  REQUIRE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, out.values.data()));
+  Pixels<Value> out(spec.width, spec.height, spec.nchannels);
+  REQUIRE(input->read_image(0, 0, 0, spec.nchannels, type, out.values.data()));
   return out;
+}
+
+Image8 by_oiio(const std::string& path) {
+  return by_oiio<std::uint8_t>(path, OIIO::TypeUInt8);
+}
+
+// A block of BC6H from its lowest bit on: {value, bits} each.
+BlockHalves bc6h_of(const std::vector<std::pair<unsigned, unsigned>>& fields, bool with_sign) {
+  std::array<std::uint8_t, 16> block{};
+  std::size_t at = 0;
+  for (const auto& [value, bits] : fields)
+    for (unsigned i = 0; i < bits; ++i, ++at)
+      block[at / 8] |= static_cast<std::uint8_t>((value >> i & 1) << at % 8);
+  return decode_bc6h(block.data(), with_sign);
 }
 
 }  // namespace
@@ -114,6 +134,44 @@ TEST_CASE("BC7: mode 6 by hand, and the reserved mode is 0 in all channels") {
   std::vector<unsigned> reserved(16, 0xff);
   reserved[0] = 0;
   for (const BlockTexel& texel : decoded(BlockCode::bc7, reserved)) CHECK(texel == BlockTexel{0, 0, 0, 0});
+}
+
+TEST_CASE("BC6H: modes of one line by hand, and the reserved modes are 0") {
+  using Halves = std::array<std::uint16_t, 3>;
+  // Mode 11, number 3: two ends of 10 bits a channel, then indices of 4 bits, the first of 3. All bits of an end are
+  // the largest half float that is finite; texel 1 has index 15, texel 2 index 8: 34 / 64.
+  const std::vector<std::pair<unsigned, unsigned>> ramp{{3, 5},     {0, 10}, {1023, 10}, {1, 10}, {1023, 10},
+                                                        {1023, 10}, {0, 10}, {0, 3},     {15, 4}, {8, 4}};
+  // 1 of 10 bits is (0x10000 + 0x8000) / 1024 = 96, and 96 * 31 / 64 = 46.
+  CHECK(bc6h_of(ramp, false)[0] == Halves{0, 0x7bff, 46});
+  CHECK(bc6h_of(ramp, false)[1] == Halves{0x7bff, 0x7bff, 0});
+  CHECK(bc6h_of(ramp, false)[2] ==
+        Halves{(0xffff * 34 + 32) / 64 * 31 / 64, 0x7bff, (96 * 30 + 32) / 64 * 31 / 64});
+  // With a sign 1023 is -1: -(0x8000 + 0x4000) / 512 = -96, and 96 * 31 / 32 = 93.
+  CHECK(bc6h_of(ramp, true)[0] == Halves{0, 0x8000 | 93, 93});
+  // Mode 14, number 15: a difference of 4 bits, then bits 15 to 10 of the end, the highest first; 0x8000 is -0x8000.
+  const std::vector<std::pair<unsigned, unsigned>> far{{15, 5}, {0, 10}, {0x3ff, 10}, {5, 10}, {0, 4},
+                                                       {1, 6},  {15, 4}, {0x3f, 6},   {8, 4}};
+  CHECK(bc6h_of(far, false)[0] == Halves{0x8000 * 31 / 64, 0x7bff, 5 * 31 / 64});
+  CHECK(bc6h_of(far, true)[0] == Halves{0xfc00, 0x8000, 5 * 31 / 32});
+  for (unsigned reserved = 19; reserved < 32; reserved += 4)
+    for (const bool with_sign : {false, true})
+      CHECK(bc6h_of({{reserved, 5}, {~0u, 32}, {~0u, 32}, {~0u, 32}, {~0u, 27}}, with_sign) == BlockHalves{});
+}
+
+TEST_CASE("OpenImageIO decodes 100,000 random blocks of BC6H to the same floats") {
+  const test::TempFolder folder;
+  for (const std::string_view name : {"BC6H", "BC6H signed"}) {
+    CAPTURE(name);
+    const BlockFormat& format = format_named(name);
+    BlockTexture texture = test::random_blocks(format, 1268, 1264, 9);
+    texture.levels.resize(1);
+    test::spit(folder.file("a.dds"), test::dds_of(texture, "", format.dxgi));
+    const Image theirs = by_oiio<float>(folder.file("a.dds"), OIIO::TypeFloat);
+    const TextureFile ours = read_dds(test::slurp(folder.file("a.dds")), "a.dds");
+    REQUIRE((ours.levels.empty() && ours.floats.size() == 1));
+    CHECK(ours.floats[0] == theirs);
+  }
 }
 
 TEST_CASE("OpenImageIO decodes 100,000 random blocks of each format alike") {
@@ -191,7 +249,12 @@ TEST_CASE("KTX2 and DDS files of every format in blocks are read with all levels
         const auto check = [&](const TextureFile& file) {
           CHECK(file.blocks->code == format.code);
           CHECK(file.srgb == srgb);
-          REQUIRE(file.levels.size() == texture.levels.size());
+          for (std::size_t l = 0; l < file.floats.size(); ++l)
+            CHECK(file.floats[l] == float_level_of(texture.levels[l], *file.blocks,
+                                                   std::max(1, texture.width >> l),
+                                                   std::max(1, texture.height >> l)));
+          CHECK((holds_floats(file.blocks) ? file.levels.size() : file.floats.size()) == 0);
+          REQUIRE(file.levels.size() + file.floats.size() == texture.levels.size());
           for (std::size_t l = 0; l < file.levels.size(); ++l) {
             const Image8& level = file.levels[l];
             CHECK(level.width == std::max(1, texture.width >> l));
@@ -297,13 +360,14 @@ TEST_CASE("textures in blocks that are cut, hostile or of another form are refus
   for (std::size_t size = 0; size < ktx2.size(); size += 5)
     refused(without_door, ktx2.substr(0, size), "x: ");
   for (std::size_t size = 0; size < dds.size(); size += 5) refused(read_dds, dds.substr(0, size), "x: ");
-  refused(without_door, with(ktx2, 12, 143), "Vulkan format 143");  // BC6H
+  refused(without_door, with(ktx2, 12, 142), "Vulkan format 142");  // BC5 with signs
+  refused(without_door, with(ktx2, 12, 143), "BC6H's");             // under the descriptor of BC7
   refused(without_door, with(ktx2, 12, 145), "descriptor");  // linear by its format, sRGB by its descriptor
   refused(without_door, with(ktx2, 12, 138), "descriptor");  // BC3
   refused(without_door, with(ktx2, 20, 24), "uncompressed bytes");
   refused(without_door, with(ktx2, 20, 0xffffffff), "side");
   refused(without_door, with(ktx2, 80, bytes_le::number32(ktx2, 80) - 8), "multiple of 16");
-  refused(read_dds, with(dds, 128, 95), "DXGI format 95");
+  refused(read_dds, with(dds, 128, 84), "DXGI format 84");
   refused(read_dds, with(dds, 144, 2), "alpha mode 2");
   refused(read_dds, with(dds, 16, 24), "texels of bytes");
   refused(read_dds, with(dds, 28, 6), "levels 6");
@@ -325,6 +389,26 @@ TEST_CASE("a picture in blocks is opened as any other, tells its transfer and th
     CHECK(std::get<Image8>(picture.pixels) == wanted);
     CHECK(picture.header.colour_space == (ktx2 ? "srgb" : ""));
     CHECK(picture.header.lossy);
+  }
+}
+
+TEST_CASE("a picture in BC6H is opened as one of half floats in linear light") {
+  const BlockFormat& bc6h = format_named("BC6H signed");
+  const BlockTexture texture = test::random_blocks(bc6h, 20, 12, 1);
+  const Image wanted = float_level_of(texture.levels[0], bc6h, 20, 12);
+  const std::string ktx2 = test::ktx2_of(texture, 144, descriptor_of(bc6h, false), has_zstd());
+  const std::string dds = test::dds_of(texture, "", 96);
+  for (const std::string& bytes : {ktx2, dds}) {
+    const Picture picture = load_picture(bytes, "x", PictureDoor{});
+    CHECK(std::get<Image>(picture.pixels) == wanted);
+    const PictureHeader& header = picture.header;
+    CHECK((header.floating && header.lossy && header.bits == 16 && header.channels == 3));
+    CHECK((header.blocks == "BC6H signed" && header.bits_per_texel == 8 && header.colour_space.empty()));
+    for (std::size_t size = 4; size < bytes.size(); size += 7) {
+      const std::string error =
+          error_of([&] { (void)load_picture(std::string_view(bytes).substr(0, size), "x", PictureDoor{}); });
+      CHECK((error.starts_with("x: ") && !contains(error, "\n")));
+    }
   }
 }
 
