@@ -236,6 +236,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
     check_unchanged(stamps);
   });
   result.blocks = made->blocks;
+  result.block_pictures = std::move(made->block_pictures);
   tell_channels(result.blocks, result.layout);
   if (made->folder) result.files = complete(options, source, earlier, *made, result);
   tell(source, decision, learned, made->scene, result);

@@ -108,7 +108,8 @@ struct PackOutputOptions {
 struct PackRunOptions {
   std::size_t memory = 0;  // bytes that pages and decoded pictures may take; 0: any
   unsigned threads = 1;
-  std::string version;  // of the program: part of the settings
+  std::size_t block_pictures = 0;  // that the result has at most
+  std::string version;             // of the program: part of the settings
   std::function<void(std::size_t done, std::size_t all)> progress;
   std::function<bool()> cancelled;  // asked between regions, pages and stages, from any thread; true: stop
 };
@@ -209,8 +210,9 @@ struct PackResult {
   // other goals.
   std::string way;
   std::vector<GoalCost> other_goals;
-  std::optional<PagesApart> apart;  // of PackGoal::one_page, where there are such pages
-  std::vector<BlockLevel> blocks;   // of textures that were compressed, or were tried to be
+  std::optional<PagesApart> apart;           // of PackGoal::one_page, where there are such pages
+  std::vector<BlockLevel> blocks;            // of textures that were compressed, or were tried to be
+  std::vector<BlockPicture> block_pictures;  // of the materials that look most changed, those first
   std::string validation;  // JSON of the validator's report on the pages; empty: they were not checked
   GlossForm gloss = GlossForm::schueler;
 };

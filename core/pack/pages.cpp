@@ -102,7 +102,7 @@ void write_files(const WholePage& page, const PackOptions& options, const PackSo
   }
   // Parts that lie apart are not those of one material.
   if (compress.format != nullptr && source.one_page == nullptr)
-    tell_shaded(job_of(Texture::diffuse_alpha), made);
+    tell_shaded(job_of(Texture::diffuse_alpha), made, options.run.block_pictures, to.block_pictures);
   for (const CompressedTexture& each : made)
     to.blocks.insert(to.blocks.end(), each.report.begin(), each.report.end());
   if (source.scene) to.scene_pictures.merge(write_page(*to.folder, page, *source.scene, to.scene));

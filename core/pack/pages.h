@@ -24,6 +24,7 @@ struct MadePages {
   SceneChoice scene;                     // of a scene
   std::set<std::string> scene_pictures;  // files that the scene reads beside the pages' textures
   std::vector<BlockLevel> blocks;        // what compression did
+  std::vector<BlockPicture> block_pictures;
 };
 
 /// The way to pack whose textures weigh least: of a scene, where files are weighed (weighs_files()), by what scene.gltf

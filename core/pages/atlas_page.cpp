@@ -17,6 +17,11 @@ constexpr std::string_view atlas_css = R"css(
 .sheets figure { margin: 0; background: var(--card); border-radius: 8px; padding: 0.75rem; }
 .sheets figcaption { font-size: 0.87rem; color: var(--ink-soft); padding-top: 0.4rem; }
 .sheets img, .sheets svg { display: block; width: 100%; height: auto; image-rendering: auto; }
+.parts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 32rem), 1fr)); gap: 1.25rem; margin-top: 0.75rem; }
+.parts figure { margin: 0; background: var(--card); border-radius: 8px; padding: 0.75rem; }
+.parts figcaption { font-size: 0.87rem; color: var(--ink-soft); padding-top: 0.4rem; }
+.parts img { width: 32%; height: auto; image-rendering: pixelated; }
+.data tbody.texture th { font-weight: 600; border-top: 1px solid var(--line); }
 .verdict { font-weight: 600; }
 .severity { display: inline-block; min-width: 4.6rem; text-align: center; padding: 0 0.45rem; border-radius: 4px;
   font-size: 0.8rem; font-weight: 700; }
@@ -156,6 +161,7 @@ std::string atlas_page(const AtlasPageData& data) {
   append_pages(out, data);
   append_sources(out, data.layout);
   append_left_out(out, data);
+  if (!data.blocks.empty()) out += blocks_section(data.blocks, data.block_pictures);
   append_findings(out, data);
   append_materials(out, data.layout);
   return out + "</main>\n</body></html>\n";

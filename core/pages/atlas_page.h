@@ -9,6 +9,7 @@
 #include "core/atlas/layout.h"
 #include "core/atlas/leave_out.h"
 #include "core/findings/report.h"
+#include "core/pack/blocks/compress_options.h"
 
 namespace etak {
 
@@ -23,8 +24,10 @@ struct AtlasPageData {
   AtlasLayout layout;
   std::vector<AtlasPagePictures> pictures;  // one for each page; empty: none are shown
   std::vector<LeaveOutLine> left_out;
-  TexelAccount before, after;                              // of leave_out()
-  const ValidationReport* findings = nullptr;              // null: the pages were not checked
+  TexelAccount before, after;                  // of leave_out()
+  std::vector<BlockLevel> blocks;              // of compression; empty: textures are not in blocks
+  std::vector<BlockPicture> block_pictures;    // of the materials that it changed most
+  const ValidationReport* findings = nullptr;  // null: the pages were not checked
   std::vector<std::pair<std::string, std::string>> links;  // text and target, for the head of the page
 };
 
@@ -43,7 +46,11 @@ struct SourceMap {
 /// The maps of every picture that is not on a page whole.
 std::vector<SourceMap> source_maps(const AtlasLayout& layout);
 
-/// An HTML page of an atlas: textures, layout, texels that were left out, findings, and the defines of each
+/// What compression changed, as a section of an HTML page: a table of textures and of their materials on level 0, and
+/// the pictures.
+std::string blocks_section(const std::vector<BlockLevel>& blocks, const std::vector<BlockPicture>& pictures);
+
+/// An HTML page of an atlas: textures, layout, texels that were left out, what compression changed, findings, and the defines of each
 /// material. The page is one file without scripts, fonts or links to the network, so that it opens from disk.
 std::string atlas_page(const AtlasPageData& data);
 

@@ -17,6 +17,7 @@ namespace etak::cli {
 namespace {
 
 constexpr int most_shown = 640;
+constexpr std::size_t most_block_pictures = 8;
 // Squares of the checker pattern across a page; the pattern shows where alpha hides the colour.
 constexpr int shown_squares = 40;
 
@@ -91,6 +92,7 @@ void PackPage::attach(PackOptions& options) {
   if (arguments_.page_report.empty()) return;
   // Where the HTML page is missing, -u must not skip the work.
   if (!is_there(arguments_.page_report)) options.output.update = false;
+  options.run.block_pictures = most_block_pictures;
   options.check.written_page = {};  // without it, pages are whole in memory when `page` is called
   options.check.page = [this, check = std::move(options.check.page)](const AtlasLayout& layout, int page,
                                                                      const PagePixels& pixels) {
@@ -113,6 +115,8 @@ std::unique_ptr<Output> PackPage::output(const PackResult& result, const Validat
       "Atlas of " + sys::path_text(std::filesystem::path(result.input).lexically_normal().filename());
   data_.layout = result.layout;
   data_.left_out = result.left_out.lines;
+  data_.blocks = result.blocks;
+  data_.block_pictures = result.block_pictures;
   data_.before = result.left_out.before;
   data_.after = result.left_out.after;
   data_.findings = findings;

@@ -9,6 +9,7 @@
 
 #include "core/image/blocks/blocks.h"
 #include "core/image/channels.h"
+#include "core/image/image.h"
 
 namespace etak {
 
@@ -71,5 +72,19 @@ struct BlockLevel {
   std::vector<BlockMaterial> materials;
   bool fallback = false;
 };
+
+/// A part of a material under light, as its textures are and as their blocks hold them (core/pack/blocks/shaded.h).
+///   x, y          its place on the page, in texels
+///   degrees       between the normal and the direction from which it is seen
+///   difference    CIEDE2000 as grey: black for none, white for white_difference and more
+struct BlockPicture {
+  int page = 0;
+  std::string material;
+  BlockShaded shaded;
+  int x = 0, y = 0;
+  double degrees = 0;
+  Image8 exact, held, difference;  // of one size, red, green and blue
+};
+inline constexpr double white_difference = 4;
 
 }  // namespace etak

@@ -164,8 +164,9 @@ class ShadedPage {
     return {spread.percentile_99(), spread.largest(), 0};
   }
 
-  // Where a material's blocks changed most, up to most_shaded_side each way, from the direction in which they did.
-  Window window(Texture texture, std::size_t material, const Sums& of) const {
+  // Where a material's blocks changed most, from the direction in which they did.
+  //   texels   a side, at most
+  Window window(Texture texture, std::size_t material, const Sums& of, std::size_t texels) const {
     const Plane& plane = planes_[index_of(texture)];
     const std::vector<std::size_t>& owned = plane.owned[material];
     const auto across = static_cast<std::size_t>(plane.uses.across);
@@ -175,7 +176,7 @@ class ShadedPage {
     std::array<double, view_degrees.size()> total{};
     for (const auto& [b, differences] : of)
       for (std::size_t v = 0; v < total.size(); ++v) total[v] += differences[v];
-    const std::size_t side = most_shaded_side / plane.side(),
+    const std::size_t side = texels / plane.side(),
                       view = static_cast<std::size_t>(std::ranges::max_element(total) - total.begin());
     Window best{all.left, all.top, std::min(side, all.width), std::min(side, all.height), view};
     // Sums of what is above and to the left.
@@ -296,26 +297,74 @@ class ShadedPage {
   bool same_uses_ = false;
 };
 
+// A material that was told, and what its picture is of.
+struct ToldMaterial {
+  BlockShaded shaded;
+  Texture texture;
+  Window window;
+};
+
+BlockPicture picture_of(const ShadedPart& part) {
+  BlockPicture out;
+  out.exact = out.held = out.difference = Image8(part.exact.width, part.exact.height, 3);
+  const auto light = [](const Image& of, std::size_t i) {
+    return LinearRgb{of.values[3 * i], of.values[3 * i + 1], of.values[3 * i + 2]};
+  };
+  const auto put = [](const Srgb8& code, Image8& to, std::size_t i) {
+    to.values[3 * i] = code.r, to.values[3 * i + 1] = code.g, to.values[3 * i + 2] = code.b;
+  };
+  for (std::size_t i = 0; i < part.read.size(); ++i) {
+    const LinearRgb exact = light(part.exact, i), held = light(part.held, i);
+    put(srgb_u8(exact), out.exact, i);
+    put(srgb_u8(held), out.held, i);
+    const std::uint8_t grey = plain_u8(delta_e2000(to_lab(exact), to_lab(held)) / white_difference);
+    put({grey, grey, grey}, out.difference, i);
+  }
+  return out;
+}
+
 }  // namespace
 
-void tell_shaded(const BlockJob& job, std::array<CompressedTexture, 2>& made) {
+void tell_shaded(const BlockJob& job, std::array<CompressedTexture, 2>& made, std::size_t most,
+                 std::vector<BlockPicture>& pictures) {
   const ShadedPage page(job, made);
-  std::vector<std::optional<BlockShaded>> told(job.materials.size());
+  std::vector<std::optional<ToldMaterial>> told(job.materials.size());
   for (const Texture texture : both_textures) {
     if (!made[index_of(texture)].blocks) continue;
     std::vector<BlockMaterial>& materials = made[index_of(texture)].report.front().materials;
     parallel_chunks(materials.size(), job.threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t m = begin; m < end; ++m) {
         const std::size_t material = materials[m].number;
-        std::optional<BlockShaded>& its = told[material];
+        std::optional<ToldMaterial>& its = told[material];
         if (!its || !page.are_same(material)) {
           Sums sums;
-          its = page.differences(texture, material, sums);
-          its->flip = mean_flip(page.part(texture, material, page.window(texture, material, sums)));
+          BlockShaded shaded = page.differences(texture, material, sums);
+          const auto window = [&](std::size_t side) { return page.window(texture, material, sums, side); };
+          shaded.flip = mean_flip(page.part(texture, material, window(most_shaded_side)));
+          its = {shaded, texture, most == 0 ? Window{} : window(2 * most_shaded_side)};
         }
-        materials[m].shaded = its;
+        materials[m].shaded = its->shaded;
       }
     });
+  }
+  for (std::size_t m = 0; m < told.size() && most > 0; ++m) {
+    if (!told[m]) continue;
+    const BlockShaded& shaded = told[m]->shaded;
+    const Window& window = told[m]->window;
+    const Texture texture = told[m]->texture;
+    const auto at = std::ranges::find_if(
+        pictures, [&](const BlockPicture& each) { return each.shaded.p99 < shaded.p99; });
+    if (at == pictures.end() && pictures.size() >= most) continue;
+    BlockPicture picture = picture_of(page.part(texture, m, window));
+    picture.page = job.page;
+    picture.material = job.materials[m].name;
+    picture.shaded = shaded;
+    const auto side = static_cast<std::size_t>(made[index_of(texture)].blocks->format->block_width);
+    picture.x = static_cast<int>(window.left * side);
+    picture.y = static_cast<int>(window.top * side);
+    picture.degrees = view_degrees[window.view];
+    pictures.insert(at, std::move(picture));
+    if (pictures.size() > most) pictures.pop_back();
   }
 }
 

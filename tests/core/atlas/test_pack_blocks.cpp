@@ -522,6 +522,46 @@ TEST_CASE("the weights of a block's channels depend on that block alone") {
     CHECK((forward[b].weights == back[b].weights && forward[b].pairs == back[b].pairs));
 }
 
+TEST_CASE("pictures show the materials that blocks change most, where they do") {
+  const TempFolder folder;
+  const std::string flat = blocks_material(folder, "flat", 64, 64, 1, 0),
+                    noisy = blocks_material(folder, "noisy", 64, 64, 3, 40),
+                    middle = blocks_material(folder, "middle", 64, 64, 5, 10);
+  PackOptions options = in_blocks("bc7", {"ktx2"});
+  const std::string manifest = manifest_of({flat, noisy, middle});
+  CHECK(pack_text(folder, manifest, options).block_pictures.empty());
+  options.run.block_pictures = 2;
+  const PackResult result = pack_text(folder, manifest, options);
+  std::map<std::string, double> told;
+  for (const BlockLevel& level : result.blocks)
+    for (const BlockMaterial& m : level.materials)
+      if (m.shaded) told[m.id] = m.shaded->p99;
+  REQUIRE(told.size() == 3);
+  REQUIRE(result.block_pictures.size() == 2);
+  const BlockPicture &first = result.block_pictures[0], &second = result.block_pictures[1];
+  const auto least = std::ranges::min_element(told, {}, [](const auto& each) { return each.second; });
+  CHECK(least->first == "flat");
+  CHECK(first.material != second.material);
+  CHECK(told.at(first.material) >= told.at(second.material));
+  CHECK(told.at(second.material) > least->second);
+  CHECK(first.shaded.p99 == told.at(first.material));
+  const AtlasRect rect = rect_named(packed_layout(folder), first.material);
+  CHECK(first.x == rect.x);
+  CHECK(first.y == rect.y);
+  REQUIRE(first.exact.width == rect.width);
+  REQUIRE(first.held.height == rect.height);
+  // Pictures have 8 bits, which changes dE of neighbours by less than one.
+  std::size_t whites = 0;
+  for (int y = 0; y < rect.height; ++y)
+    for (int x = 0; x < rect.width; ++x) {
+      const double shown = white_difference * first.difference.at(x, y)[0] / 255,
+                   of_codes = delta_e_of(first.exact.at(x, y).data(), first.held.at(x, y).data());
+      if (shown >= white_difference) ++whites;
+      CHECK((shown < white_difference ? std::abs(shown - of_codes) : white_difference - of_codes) < 1);
+    }
+  CHECK(whites > 0);
+}
+
 TEST_CASE("a budget is a multiple of the usual one, or names its parts") {
   CHECK(parse_block_budget("2") == BlockBudget{2, 2, 20, 1});
   CHECK(parse_block_budget("gloss=5,alpha=1") == BlockBudget{1, 1, 5, 1});

@@ -52,3 +52,37 @@ TEST_CASE("an atlas's page shows for each picture which of its parts are where")
   data.layout.rects.erase(data.layout.rects.begin(), data.layout.rects.begin() + 4);
   CHECK_FALSE(contains(atlas_page(data), "Where the regions come from"));
 }
+
+TEST_CASE("an atlas's page has a table of blocks and shows where they change materials most") {
+  AtlasPageData data;
+  data.layout.pages.push_back({256, 256, {}});
+  CHECK_FALSE(contains(atlas_page(data), "What compression changed"));
+  BlockLevel level;
+  level.tried = level.format = "BC7";
+  level.bytes = level.texels = 65536;
+  level.materials.push_back({0, "a <b>", 0.5, 2.25, 8, 53400, true, BlockShaded{1.5, 3.5, 0.02}});
+  level.materials.push_back({1, "c", 1.25, 2, 0, 0, false, {}});
+  data.blocks = {level, level, level};
+  data.blocks[1].level = 1;
+  data.blocks[1].bytes = 16384;
+  data.blocks[2].texture = Texture::specular_gloss;
+  data.blocks[2].format = "RGBA8";
+  data.blocks[2].fallback = true;
+  CHECK_FALSE(contains(atlas_page(data), "Where it shows"));
+  data.block_pictures.push_back(
+      {0, "a <b>", {1.5, 3.5, 0.02}, 8, 4, 40, Image8(3, 2, 3), Image8(3, 2, 3), Image8(3, 2, 3)});
+  const std::string page = atlas_page(data);
+  CHECK(contains(page, "page 0 diffuse_alpha: BC7, 8 bits a texel, 81,920 bytes with its mips</th>"));
+  CHECK(contains(page, "errors are those of BC7, which was not kept"));
+  CHECK(contains(
+      page,
+      "<th>a &lt;b&gt;</th><td class=\"num\">0.5</td><td class=\"num\">2.25</td><td class=\"num\">8</td>"
+      "<td class=\"num\">53,400</td><td class=\"num\">1.5</td><td class=\"num\">3.5</td>"
+      "<td class=\"num\">0.02</td><td>kept</td>"));
+  CHECK(count(page, ">not told</td>") == 1);
+  CHECK(count(page, ">exact</td>") == 1);
+  CHECK(count(page, ">missed</td>") == 2);
+  CHECK(count(page, "src=\"data:image/png;base64,") == 3);
+  CHECK(contains(page, "white where dE2000 is 4 or more"));
+  CHECK(contains(page, "3 x 2 texels at 8, 4 of page 0, seen 40 degrees from the normal"));
+}
