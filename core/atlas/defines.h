@@ -21,6 +21,9 @@ namespace etak {
 /// and beside these, where the texture of F0 and gloss is in BC4 or BC5 (AtlasPage::in_blocks):
 ///   ETAK_GLOSS_IN_RED             gloss is the red channel
 ///   ETAK_F0_GLOSS_IN_RED_GREEN    F0 is the red channel, sRGB-encoded, and gloss the green one
+/// or, where it or that of diffuse and alpha is in blocks of its colour alone (AtlasPage::fourth_apart):
+///   ETAK_GLOSS_APART              gloss is red of a texture of its own
+///   ETAK_ALPHA_APART              the same for alpha
 std::vector<std::string> material_defines(const MaterialFate& fate, AlphaMode mode);
 
 }  // namespace etak

@@ -40,8 +40,12 @@ struct AtlasPage {
   // What red (and green) of specular_gloss hold in its KTX2 and DDS files, where these are in BC4 or BC5: "gloss", or "specular"
   // (of a grey F0, sRGB-encoded, which such a format cannot say) and "gloss". Empty: F0 and gloss as in all other files.
   std::vector<std::string> in_blocks = {};
+  // By Texture: its KTX2 and DDS files hold its colour alone, and its fourth channel is red of fourth_file_beside() them.
+  std::array<bool, 2> fourth_apart = {};
   /// The first file of specular_gloss holds those.
   bool first_in_blocks() const;
+  /// The file beside the first one of a texture that holds its fourth channel; empty: the first has four channels.
+  std::string fourth_beside_first(Texture texture) const;
   friend bool operator==(const AtlasPage&, const AtlasPage&) = default;
 };
 
@@ -62,6 +66,10 @@ struct AtlasLayout {
   friend bool operator==(const AtlasLayout&, const AtlasLayout&) = default;
 };
 
+/// The file that holds the fourth channel of a texture alone, "page0_alpha.ktx2" or "page0_gloss.dds", beside a file of
+/// page_file(); empty where that is no KTX2 or DDS file of this name.
+std::string fourth_file_beside(const std::string& page_file, Texture texture);
+
 inline constexpr const char* layout_file_name = "layout.json";
 
 std::string layout_json(const AtlasLayout& layout);
@@ -71,6 +79,8 @@ AtlasRect read_layout_rect(const JsonNode& node, std::size_t pages);
 
 /// AtlasPage::in_blocks of a page. Throws Error with the JSON pointer.
 std::vector<std::string> read_channels_in_blocks(const JsonNode& page);
+/// The same of AtlasPage::fourth_apart.
+std::array<bool, 2> read_fourth_apart(const JsonNode& page);
 
 /// Throws Error with the JSON pointer.
 AtlasLayout parse_layout(std::string_view text, std::string_view file);

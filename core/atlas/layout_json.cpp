@@ -16,6 +16,7 @@ constexpr const char* layout_schema = "etak-atlas-layout/1";
 // The schema of layouts in which a material's parts lie apart: a reader of version 1 would take the first region for all.
 constexpr const char* parts_schema = "etak-atlas-layout/2";
 constexpr int layout_depth = 8;
+constexpr std::array<std::string_view, 2> fourth_names{"alpha", "gloss"};  // by Texture
 constexpr const char *reduced = "reduced_when_shading", *as_it_is = "as_it_is";
 
 std::string box_json(const PixelBox& box) {
@@ -39,6 +40,10 @@ std::string page_json(const AtlasPage& page) {
              json_array_of(std::span(files).subspan(1));
   }
   if (!page.in_blocks.empty()) out += ", \"specular_gloss_in_blocks\": " + json_array_of(page.in_blocks);
+  std::vector<std::string> apart;
+  for (std::size_t t = 0; t < fourth_names.size(); ++t)
+    if (page.fourth_apart[t]) apart.emplace_back(fourth_names[t]);
+  if (!apart.empty()) out += ", \"apart_in_blocks\": " + json_array_of(apart);
   return out + "}";
 }
 
@@ -105,6 +110,10 @@ std::string read_file_name(const JsonNode& node) {
   return out;
 }
 
+bool is_container(std::string_view file) {
+  return file.ends_with(".ktx2") || file.ends_with(".dds");
+}
+
 AtlasPage read_page(const JsonNode& node) {
   node.expect_object();
   AtlasPage out;
@@ -120,6 +129,7 @@ AtlasPage read_page(const JsonNode& node) {
     for (std::string& each : node.at(more).each(read_file_name)) files.push_back(std::move(each));
   }
   out.in_blocks = read_channels_in_blocks(node);
+  out.fourth_apart = read_fourth_apart(node);
   return out;
 }
 
@@ -149,7 +159,31 @@ AtlasMaterialRow read_material_row(const JsonNode& node) {
 
 bool AtlasPage::first_in_blocks() const {
   const auto& all = files[static_cast<std::size_t>(Texture::specular_gloss)];
-  return !in_blocks.empty() && !all.empty() && (all[0].ends_with(".ktx2") || all[0].ends_with(".dds"));
+  return !in_blocks.empty() && !all.empty() && is_container(all[0]);
+}
+
+std::string fourth_file_beside(const std::string& page_file, Texture texture) {
+  const std::size_t at = page_file.rfind('_' + std::string(name(texture)) + '.');
+  if (at == page_file.npos || !is_container(page_file)) return {};
+  return page_file.substr(0, at + 1) + std::string(fourth_names[static_cast<std::size_t>(texture)]) +
+         page_file.substr(page_file.rfind('.'));
+}
+
+std::string AtlasPage::fourth_beside_first(Texture texture) const {
+  const auto t = static_cast<std::size_t>(texture);
+  return fourth_apart[t] && !files[t].empty() ? fourth_file_beside(files[t].front(), texture) : "";
+}
+
+std::array<bool, 2> read_fourth_apart(const JsonNode& page) {
+  constexpr const char* key = "apart_in_blocks";
+  std::array<bool, 2> out{};
+  if (!page.has(key)) return out;
+  for (const std::string& each : page.at(key).texts()) {
+    const auto* const found = std::ranges::find(fourth_names, each);
+    if (found == fourth_names.end()) page.at(key).fail_type("some of alpha and gloss");
+    out[static_cast<std::size_t>(found - fourth_names.begin())] = true;
+  }
+  return out;
 }
 
 std::vector<std::string> read_channels_in_blocks(const JsonNode& page) {

@@ -23,7 +23,7 @@ struct PageTexture {
   const PagePixels& pixels;
 };
 
-void write_container(OutputFolder& folder, const PageTexture& of, const std::string& format,
+void write_container(OutputFolder& folder, const PageTexture& of, const std::string& name,
                      const WriteOptions& options, const TextureInBlocks* blocks) {
   const PagePixels& pixels = of.pixels;
   const Texture texture = of.texture;
@@ -33,10 +33,10 @@ void write_container(OutputFolder& folder, const PageTexture& of, const std::str
   for (std::size_t l = 0; blocks != nullptr && l < levels.size(); ++l) levels[l].bytes = blocks->levels[l];
   const BlockFormat* const code = blocks != nullptr ? blocks->format : nullptr;
   const bool srgb = code == nullptr || code->vk_srgb != 0;
-  const auto file = folder.open(page_file(of.page, texture, format));
+  const auto file = folder.open(name);
   const FileSink sink{[&](std::string_view bytes) { file->add(bytes); },
                       [&](std::size_t at, std::string_view bytes) { file->patch(at, bytes); }};
-  if (format == "ktx2")
+  if (name.ends_with(".ktx2"))
     write_ktx2(levels, code, srgb, options.zstd_level, sink);
   else
     write_dds(levels, code, srgb, texture == Texture::specular_gloss, sink);
@@ -100,8 +100,23 @@ void write_page(OutputFolder& folder, int page, Texture texture, const PagePixel
     if (format == "png")
       write_pngs(folder, of, options);
     else if (!holds_floats(format))
-      write_container(folder, of, format, options, blocks);
+      write_container(folder, of, page_file(page, texture, format), options, blocks);
   }
+}
+
+void write_fourth(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
+                  const WriteOptions& options) {
+  TextureInBlocks fourth{block_format_named("R8"), {}};
+  for (int l = 0; l < pixels.levels(); ++l) {
+    const PixelsView8 view = pixels.view(texture, l);
+    std::string& to = fourth.levels.emplace_back();
+    for (int y = 0; y < view.height; ++y)
+      for (int x = 0; x < view.width; ++x) to += static_cast<char>(view.at(x, y)[3]);
+  }
+  for (const std::string& format : options.formats)
+    if (is_container(format))
+      write_container(folder, {page, texture, pixels},
+                      fourth_file_beside(page_file(page, texture, format), texture), options, &fourth);
 }
 
 }  // namespace etak

@@ -35,9 +35,11 @@ struct WriteOptions {
 };
 
 /// A texture in blocks, level by level.
+///   fourth_apart   the blocks hold colour alone, and the fourth channel is as it is, in files of R8
 struct TextureInBlocks {
   const BlockFormat* format = nullptr;
   std::vector<std::string> levels;  // bytes
+  bool fourth_apart = false;
 };
 
 /// Whether some format holds floats.
@@ -54,8 +56,11 @@ std::vector<std::string> page_files(int page, Texture texture, int levels,
 bool writes_containers(const WriteOptions& options);
 
 /// Writes one texture of a page, in those of the formats that hold codes.
-///   blocks   what KTX2 and DDS files hold in place of the texels; null: RGBA8
+///   blocks   what KTX2 and DDS files hold in place of the texels; null: RGBA8. A fourth channel apart is written by
+///            write_fourth()
 void write_page(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
                 const WriteOptions& options, const TextureInBlocks* blocks = nullptr);
+void write_fourth(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
+                  const WriteOptions& options);
 
 }  // namespace etak

@@ -130,6 +130,13 @@ Image rows_down(const Scene& scene, const std::vector<float>& rows_up) {
   return out;
 }
 
+// The fourth channel of a texture in the red one.
+Image8 fourth_in_red(const Image8& of) {
+  Image8 out(of.width, of.height, 4);
+  for (std::size_t i = 0; i < out.values.size(); i += 4) out.values[i] = of.values[i + 3];
+  return out;
+}
+
 }  // namespace
 
 GlRunner::GlRunner() : state_(std::make_unique<State>()) {}
@@ -194,6 +201,11 @@ Image GlRunner::render(const Scene& scene, const TextureUse& use, const Image8& 
       b(1, specular_gloss, use.channels == TextureUse::Channels::rgb_alpha);
   program.set_sampler("diffuse_alpha", 0);
   program.set_sampler("specular_gloss", 1);
+  std::optional<CodeTexture> alpha, gloss;
+  if (use.alpha_apart) alpha.emplace(2, fourth_in_red(diffuse_alpha), false);
+  if (use.gloss_apart) gloss.emplace(3, fourth_in_red(specular_gloss), false);
+  if (use.alpha_apart) program.set_sampler("alpha_apart", 2);
+  if (use.gloss_apart) program.set_sampler("gloss_apart", 3);
   State::draw(text.corners);
   return rows_down(scene, State::read_rows_up(scene.width, scene.height));
 }

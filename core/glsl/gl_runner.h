@@ -47,7 +47,8 @@ class GlRunner {
                std::optional<double>* gpu_ms = nullptr);
 
   /// Draws a scene whose material is in the two textures of an atlas: RGBA with sRGB-encoded colours (the
-  /// second of no sRGB format where `use` says so), without filtering. The background shows through the holes of a mask. The picture is that of render() above.
+  /// second of no sRGB format where `use` says so), without filtering. Fourth channels that `use` reads apart are taken from
+  /// these. The background shows through the holes of a mask. The picture is that of render() above.
   Image render(const Scene& scene, const TextureUse& use, const Image8& diffuse_alpha,
                const Image8& specular_gloss);
 

@@ -13,15 +13,19 @@ struct FetchedTextures {
   const TextureUse& use;
   double opacity;  // used where it is not fetched
 
-  bool a() const { return use.diffuse || use.fetch_alpha; }
-  bool b() const { return use.specular || use.gloss; }
+  bool a() const { return use.diffuse || (use.fetch_alpha && !use.alpha_apart); }
+  bool b() const { return use.specular || (use.gloss && !use.gloss_apart); }
+  bool alpha_apart() const { return use.fetch_alpha && use.alpha_apart; }
+  bool gloss_apart() const { return use.gloss && use.gloss_apart; }
+  bool any() const { return a() || b() || alpha_apart() || gloss_apart(); }
   bool blends() const { return use.alpha == TextureUse::Alpha::blend; }
   bool tests() const { return use.alpha == TextureUse::Alpha::test; }
   bool roughness() const { return use.gloss && use.gloss_form != GlossForm::schueler; }
   // The format of the texture does not decode F0.
   bool encoded() const { return use.specular && use.channels == TextureUse::Channels::f0_gloss; }
   std::string gloss_channel() const {
-    return use.channels == TextureUse::Channels::rgb_alpha     ? ".a"
+    return use.gloss_apart                                     ? ".r"
+           : use.channels == TextureUse::Channels::rgb_alpha   ? ".a"
            : use.channels == TextureUse::Channels::gloss_alone ? ".r"
                                                                : ".g";
   }
@@ -48,6 +52,8 @@ void declare_textures(const FetchedTextures& of, TextureFetch& out) {
   const TextureUse& use = of.use;
   if (of.a()) add_line(out, "uniform sampler2D diffuse_alpha;");
   if (of.b()) add_line(out, "uniform sampler2D specular_gloss;");
+  if (of.alpha_apart()) add_line(out, "uniform sampler2D alpha_apart;");
+  if (of.gloss_apart()) add_line(out, "uniform sampler2D gloss_apart;");
   if (use.diffuse) add_line(out, "vec3 texel_diffuse;");
   if (use.fetch_alpha)
     add_line(out, "float texel_opacity;");
@@ -70,7 +76,7 @@ void declare_textures(const FetchedTextures& of, TextureFetch& out) {
     add_uniform(out, name + "_corner", {share(0), share(1)});
     add_uniform(out, name + "_size", {share(2), share(3)});
   };
-  if ((of.a() || of.b()) && of.one_place()) return add_place("region", 0);
+  if (of.any() && of.one_place()) return add_place("region", 0);
   const std::array fetched{use.diffuse, use.fetch_alpha, use.specular, use.gloss};
   for (std::size_t part = 0; part < fetched.size(); ++part)
     if (fetched[part]) add_place(part_names[part], part);
@@ -79,27 +85,29 @@ void declare_textures(const FetchedTextures& of, TextureFetch& out) {
 // The texel that a part is read from.
 std::string texel_of(const FetchedTextures& of, std::size_t part) {
   const bool a = part < 2;
-  if (of.one_place()) return a ? "a" : "b";
-  const std::string name = part_names[part];
-  return std::string("texture(") + (a ? "diffuse_alpha, " : "specular_gloss, ") + name + "_corner + " + name +
-         "_size * " + (of.use.places[part].rotated ? "vec2(1.0 - uv.y, uv.x))" : "uv)");
+  const bool apart = (part == 1 && of.alpha_apart()) || (part == 3 && of.gloss_apart());
+  if (of.one_place() && !apart) return a ? "a" : "b";
+  const std::string name = part_names[part], sampler = apart ? name + "_apart"
+                                                       : a   ? "diffuse_alpha"
+                                                             : "specular_gloss";
+  if (of.one_place()) return "texture(" + sampler + ", uv)";
+  return "texture(" + sampler + ", " + name + "_corner + " + name + "_size * " +
+         (of.use.places[part].rotated ? "vec2(1.0 - uv.y, uv.x))" : "uv)");
 }
 
 void add_fetch(const FetchedTextures& of, TextureFetch& out) {
   const TextureUse& use = of.use;
   const auto line = [&](const std::string& code) { add_line(out, code); };
   line("void fetch(vec2 at) {");
-  if (of.a() || of.b()) {
-    line("  vec2 uv = vec2(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y);");
-  }
-  if (of.one_place() && (of.a() || of.b())) {
+  if (of.any()) line("  vec2 uv = vec2(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y);");
+  if (of.one_place() && of.any()) {
     if (use.places[0].rotated) line("  uv = vec2(1.0 - uv.y, uv.x);");
     line("  uv = region_corner + region_size * uv;");
     if (of.a()) line("  vec4 a = texture(diffuse_alpha, uv);");
     if (of.b()) line("  vec4 b = texture(specular_gloss, uv);");
   }
   if (use.diffuse) line("  texel_diffuse = " + texel_of(of, 0) + ".rgb;");
-  if (use.fetch_alpha) line("  texel_opacity = " + texel_of(of, 1) + ".a;");
+  if (use.fetch_alpha) line("  texel_opacity = " + texel_of(of, 1) + (of.alpha_apart() ? ".r;" : ".a;"));
   const std::string f0 = texel_of(of, 2), gloss = texel_of(of, 3) + of.gloss_channel();
   if (use.specular)
     line("  texel_f0 = " + (of.encoded()    ? "vec3(f0_of_code(" + f0 + ".r));"
@@ -162,10 +170,14 @@ TextureUse texture_use(std::span<const std::string> defines) {
       out.channels = TextureUse::Channels::gloss_alone;
     else if (define == "ETAK_F0_GLOSS_IN_RED_GREEN")
       out.channels = TextureUse::Channels::f0_gloss;
+    else if (define == "ETAK_ALPHA_APART")
+      out.alpha_apart = true;
+    else if (define == "ETAK_GLOSS_APART")
+      out.gloss_apart = true;
     else
       throw Error::at(
           printable(define), "is no define that etak pack lists",
-          "ETAK_DIFFUSE_TEXTURE, ETAK_SPECULAR_TEXTURE, ETAK_GLOSS_TEXTURE, ETAK_NO_DIFFUSE, ETAK_SCALAR_F0, ETAK_ALPHA_TEST, ETAK_ALPHA_BLEND, ETAK_ALPHA_TEXTURE, ETAK_GLOSS_IN_RED or ETAK_F0_GLOSS_IN_RED_GREEN");
+          "ETAK_DIFFUSE_TEXTURE, ETAK_SPECULAR_TEXTURE, ETAK_GLOSS_TEXTURE, ETAK_NO_DIFFUSE, ETAK_SCALAR_F0, ETAK_ALPHA_TEST, ETAK_ALPHA_BLEND, ETAK_ALPHA_TEXTURE, ETAK_GLOSS_IN_RED, ETAK_F0_GLOSS_IN_RED_GREEN, ETAK_ALPHA_APART or ETAK_GLOSS_APART");
   }
   return out;
 }
@@ -186,7 +198,7 @@ TextureUse texture_use(std::string_view text) {
 TextureFetch texture_fetch(const TextureUse& use, double opacity) {
   const FetchedTextures of{use, opacity};
   TextureFetch out;
-  out.any = of.a() || of.b() || of.all_hidden();
+  out.any = of.any() || of.all_hidden();
   declare_textures(of, out);
   if (out.any) add_fetch(of, out);
   tell_features(of, out);

@@ -51,7 +51,7 @@ std::optional<Picture> texture_file(std::string_view bytes, const std::string& l
     out.pixels = std::move(file.levels.front());
   }
   out.header.format = format;
-  if (file.blocks != nullptr) {
+  if (file.blocks != nullptr && file.blocks->code != BlockCode::r8) {
     out.header.lossy = true;
     out.header.blocks = file.blocks->name;
     out.header.bits_per_texel = bits_per_texel(*file.blocks);

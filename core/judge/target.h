@@ -26,7 +26,8 @@ struct TargetFile {
   std::string label;     // for reports: relative to the run's root
   bool guessed = false;  // the role comes from the file's name (ETK010)
   // What R, G, B and A hold, a letter for each (channel_word of names.h); empty: the usual channels of the
-  // role. Of F0 and gloss "g": gloss in red, and F0 a number of each tile; "fg": a grey F0 in red and gloss in green.
+  // role. Of F0 and gloss "g": gloss in red, and F0 a number of each tile; "fg": a grey F0 in red and gloss in green. "+" of
+  // a page: its fourth channel is red of the file behind it, which has no role of its own.
   std::string channels = {};
   GreenAxis green = GreenAxis::unsaid;            // of a normal map, by its name
   std::shared_ptr<const std::string> bytes = {};  // of the picture file, in the place of those at `path`
@@ -83,8 +84,7 @@ struct Manifest {
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 
-/// One thing to check: a file, or the files that belong together. It yields one CheckedFile; the tiles of a
-/// UDIM set yield one together.
+/// One file, or files that belong together, to check: one CheckedFile. The tiles of a UDIM set yield one together.
 struct CheckTarget {
   std::string label;  // path of the CheckedFile, relative; the first file's when empty
   std::vector<TargetFile> files;

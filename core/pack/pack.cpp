@@ -237,7 +237,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   });
   result.blocks = made->blocks;
   result.block_pictures = std::move(made->block_pictures);
-  tell_channels(result.blocks, result.layout);
+  tell_channels(result.blocks, options.output.write.formats, result.layout);
   if (made->folder) result.files = complete(options, source, earlier, *made, result);
   tell(source, decision, learned, made->scene, result);
   result.goal = options.output.goal;

@@ -55,19 +55,26 @@ bool may_be_cut(const PackOptions& options, const PackSource& source) {
 // Textures that stay RGBA8 beside textures in blocks are at least compressed as files.
 constexpr int zstd_of_fallback = 3;
 
-// A texture in the format that fits what it holds, where that keeps to the budget, else in the format that was asked for.
+// A texture in the format that fits what it holds, where that keeps to the budget, else in the format that was asked for,
+// else its colour in that and its fourth channel apart.
 //   apart   parts of materials lie apart, and no page has those of fewer channels alone
 CompressedTexture blocks_of(const BlockJob& job, bool apart) {
   const BlockFormat* fitting = job.how.fits && !apart && job.texture == Texture::specular_gloss
                                    ? fitting_format(job.decision, job.page)
                                    : nullptr;
-  if (fitting == nullptr) return compress_texture(job);
-  CompressOptions narrow = job.how;
-  narrow.format = fitting;
-  BlockJob first{job.decision, job.materials, job.page, job.texture, job.pixels,
-                 job.shown,    job.gloss,     narrow,   job.astc,    job.threads};
-  CompressedTexture out = compress_texture(first);
-  return out.blocks ? std::move(out) : compress_texture(job);
+  if (fitting != nullptr) {
+    CompressOptions narrow = job.how;
+    narrow.format = fitting;
+    BlockJob first{job.decision, job.materials, job.page, job.texture, job.pixels,
+                   job.shown,    job.gloss,     narrow,   job.astc,    job.threads};
+    if (CompressedTexture out = compress_texture(first); out.blocks) return out;
+  }
+  CompressedTexture out = compress_texture(job);
+  if (out.blocks || apart || !reads_fourth(job.decision, job.materials, job.page, job.texture)) return out;
+  BlockJob colour = job;
+  colour.fourth_apart = true;
+  CompressedTexture halves = compress_texture(colour);
+  return halves.blocks ? halves : out;
 }
 
 void write_files(const WholePage& page, const PackOptions& options, const PackSource& source,
@@ -99,6 +106,9 @@ void write_files(const WholePage& page, const PackOptions& options, const PackSo
       if (!its.blocks && write.zstd_level == 0 && has_zstd()) write.zstd_level = zstd_of_fallback;
     }
     write_page(*to.folder, page.number, texture, page.pixels, write, its.blocks ? &*its.blocks : nullptr);
+    if (!its.blocks || !its.blocks->fourth_apart) continue;
+    if (write.zstd_level == 0 && has_zstd()) write.zstd_level = zstd_of_fallback;
+    write_fourth(*to.folder, page.number, texture, page.pixels, write);
   }
   // Parts that lie apart are not those of one material.
   if (compress.format != nullptr && source.one_page == nullptr)

@@ -27,7 +27,7 @@ std::string texture_rows(const std::vector<BlockLevel>& blocks, const BlockLevel
     if (each.page == first.page && each.texture == first.texture) bytes += each.bytes;
   std::string out;
   append(out, "<tbody class=\"texture\"><tr><th colspan=\"9\">page ", std::to_string(first.page), ' ',
-         name(first.texture), ": ", first.format, ", ",
+         name(first.texture), ": ", first.format, first.fourth_apart ? " + R8, " : ", ",
          number(8 * static_cast<double>(first.bytes) / static_cast<double>(first.texels), 3),
          " bits a texel, ", grouped(bytes), " bytes with its mips",
          first.fallback ? "; errors are those of " + first.tried + ", which was not kept" : "",

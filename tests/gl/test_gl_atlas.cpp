@@ -133,6 +133,22 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("gloss and opacity in textures of their own draw the picture of those in the fourth channels") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  const std::array<int, 4> channels{-1, -1, -1, -1};
+  const Image8 a = texture(channels, 1), b = texture(channels, 2);
+  const Scene scene = scene_with("schueler-optimized-bounded", {90, 60, 30, 255}, {56, 56, 56, 128});
+  for (const char* mode : {"ETAK_ALPHA_BLEND", "ETAK_ALPHA_TEST"}) {
+    CAPTURE(mode);
+    std::vector<std::string> defines{"ETAK_DIFFUSE_TEXTURE", "ETAK_SPECULAR_TEXTURE", "ETAK_GLOSS_TEXTURE",
+                                     mode, "ETAK_ALPHA_TEXTURE"};
+    const Image together = gl->render(scene, texture_use(defines), a, b);
+    defines.insert(defines.end(), {"ETAK_ALPHA_APART", "ETAK_GLOSS_APART"});
+    CHECK(gl->render(scene, texture_use(defines), a, b).values == together.values);
+  }
+}
+
 TEST_CASE("alpha that blends is the same from a texture and from a uniform") {
   GlRunner* gl = gl_here();
   if (gl == nullptr) return;

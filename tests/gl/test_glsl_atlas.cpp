@@ -41,6 +41,9 @@ std::vector<std::vector<std::string>> all_defines() {
   out.push_back({"ETAK_SCALAR_F0", "ETAK_GLOSS_TEXTURE", "ETAK_GLOSS_IN_RED"});
   out.push_back(
       {"ETAK_SPECULAR_TEXTURE", "ETAK_SCALAR_F0", "ETAK_GLOSS_TEXTURE", "ETAK_F0_GLOSS_IN_RED_GREEN"});
+  out.push_back({"ETAK_GLOSS_TEXTURE", "ETAK_GLOSS_APART"});
+  out.push_back({"ETAK_DIFFUSE_TEXTURE", "ETAK_SPECULAR_TEXTURE", "ETAK_GLOSS_TEXTURE", "ETAK_ALPHA_BLEND",
+                 "ETAK_ALPHA_TEXTURE", "ETAK_ALPHA_APART", "ETAK_GLOSS_APART"});
   return out;
 }
 

@@ -143,12 +143,12 @@ BlockTexels decode_block(BlockCode code, const std::uint8_t* block) {
 }
 
 Image8 level_of(std::string_view bytes, const BlockFormat* format, int width, int height) {
-  if (format != nullptr)
+  if (format != nullptr && format->code != BlockCode::r8)
     return level_by<std::uint8_t>(
         [format](const std::uint8_t* block) { return decode_block(format->code, block); }, bytes, *format,
         width, height);
-  assert(bytes.size() == texture_level_bytes(nullptr, width, height));
-  Image8 out(width, height, 4);
+  assert(bytes.size() == texture_level_bytes(format, width, height));
+  Image8 out(width, height, format != nullptr ? format->channels : 4);
   std::memcpy(out.values.data(), bytes.data(), bytes.size());
   return out;
 }

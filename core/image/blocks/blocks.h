@@ -10,8 +10,8 @@
 
 namespace etak {
 
-/// The ways in which a texture for a GPU keeps blocks of texels.
-enum class BlockCode { bc1, bc2, bc3, bc4, bc5, bc6h, bc7, bc6h_signed, astc };
+/// The ways in which a texture for a GPU keeps blocks of texels. R8 is one channel as it is, a block a texel.
+enum class BlockCode { bc1, bc2, bc3, bc4, bc5, bc6h, bc7, bc6h_signed, astc, r8 };
 
 /// A format of textures in blocks, with the numbers by which the headers of files name it; 0: it has none.
 struct BlockFormat {
@@ -41,7 +41,8 @@ inline constexpr std::array block_formats{
     BlockFormat{"ASTC 6x6", BlockCode::astc, 16, 4, 165, 166, 0, 0, 6, 6},
     BlockFormat{"ASTC 8x5", BlockCode::astc, 16, 4, 167, 168, 0, 0, 8, 5},
     BlockFormat{"ASTC 8x6", BlockCode::astc, 16, 4, 169, 170, 0, 0, 8, 6},
-    BlockFormat{"ASTC 8x8", BlockCode::astc, 16, 4, 171, 172, 0, 0, 8, 8}};
+    BlockFormat{"ASTC 8x8", BlockCode::astc, 16, 4, 171, 172, 0, 0, 8, 8},
+    BlockFormat{"R8", BlockCode::r8, 1, 1, 9, 0, 61, 0, 1, 1}};
 
 inline double bits_per_texel(const BlockFormat& format) {
   return 8 * static_cast<double>(format.block_bytes) / (format.block_width * format.block_height);

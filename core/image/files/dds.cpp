@@ -72,12 +72,13 @@ void write_levels(std::span<const TextureLevel> levels, const BlockFormat* block
   const bool mips = levels.size() > 1, dx10 = header == DdsHeader::dx10;
   std::string out("DDS ");
   append32(out, 124);
-  append32(out, flag_caps | flag_height | flag_width | (blocks != nullptr ? flag_linear_size : flag_pitch) |
+  const bool texels = blocks == nullptr || blocks->code == BlockCode::r8;
+  append32(out, flag_caps | flag_height | flag_width | (texels ? flag_pitch : flag_linear_size) |
                     flag_pixel_format | (mips ? flag_mip_count : 0));
   append32(out, static_cast<std::uint64_t>(first.height));
   append32(out, static_cast<std::uint64_t>(first.width));
   // The bytes of a row; of blocks those of the first level.
-  append32(out, blocks != nullptr ? first.bytes.size() : static_cast<std::size_t>(first.width) * 4);
+  append32(out, texels ? texture_level_bytes(blocks, first.width, 1) : first.bytes.size());
   append32(out, 0);  // no depth
   append32(out, levels.size());
   out.append(std::size_t{11} * 4, '\0');
@@ -143,7 +144,7 @@ TextureFile read_dds(std::string_view bytes, std::string_view path) {
     const std::uint32_t alpha = u32(144) & 7;
     expect(
         format.known, "DXGI format", u32(128),
-        "R8G8B8A8 (28, 29), BC1 (71, 72), BC2 (74, 75), BC3 (77, 78), BC4 (80), BC5 (83), BC6H (95, 96) or BC7 (98, 99)");
+        "R8G8B8A8 (28, 29), R8 (61), BC1 (71, 72), BC2 (74, 75), BC3 (77, 78), BC4 (80), BC5 (83), BC6H (95, 96) or BC7 (98, 99)");
     expect(u32(132) == texture_2d, "resource dimension", u32(132), "3: a 2-D texture");
     expect((u32(136) & misc_cube) == 0, "misc flags", u32(136), "no cube map");
     expect(u32(140) == 1, "layers", u32(140), "1");

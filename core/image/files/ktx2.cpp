@@ -30,7 +30,7 @@ constexpr std::size_t header_bytes = 80, index_entry_bytes = 24;  // the level i
 
 // Levels that are not compressed lie on multiples of so many bytes.
 std::size_t unit_bytes(const BlockFormat* blocks) {
-  return blocks != nullptr ? blocks->block_bytes : 4;
+  return std::max<std::size_t>(4, blocks != nullptr ? blocks->block_bytes : 4);
 }
 
 void pad_to_4(std::string& out) {
@@ -56,6 +56,8 @@ std::vector<Sample> samples_of(const BlockFormat* blocks) {
       return {{0, 64, alpha_channel, all}, {64, 64, 0, all}};
     case BlockCode::bc5:
       return {{0, 64, 0, all}, {64, 64, 1, all}};
+    case BlockCode::r8:
+      return {{0, 8, 0, 255}};
     case BlockCode::bc1:
       return {{0, 64, blocks->channels == 4 ? 1u : 0u, all}};  // 1: with transparent texels
     case BlockCode::bc6h:
@@ -69,7 +71,7 @@ std::vector<Sample> samples_of(const BlockFormat* blocks) {
 
 // The number of the colour model of a format: 1 is RGB with alpha.
 std::uint64_t colour_model(const BlockFormat* blocks) {
-  if (blocks == nullptr) return 1;
+  if (blocks == nullptr || blocks->code == BlockCode::r8) return 1;
   constexpr std::uint64_t bc1 = 128, astc = 162;
   if (blocks->code == BlockCode::astc) return astc;
   return bc1 + static_cast<std::uint64_t>(holds_floats(blocks) ? BlockCode::bc6h : blocks->code);
@@ -275,6 +277,11 @@ void write_ktx2(std::span<const TextureLevel> levels, const BlockFormat* blocks,
   if (zstd_level == 0)
     while ((pairs_at + pairs.size()) % unit_bytes(blocks) != 0) pairs.push_back('\0');
 
+  // Lengths are whole units but for those of R8.
+  const auto padded = [&](std::size_t bytes) {
+    const std::size_t unit = unit_bytes(blocks);
+    return (bytes + unit - 1) / unit * unit;
+  };
   // The smallest level comes first, so that a reader may stop early; the index begins with the largest. The
   // lengths of compressed levels are patched in when they are known.
   std::vector<std::size_t> offset(count), length(count);
@@ -285,7 +292,7 @@ void write_ktx2(std::span<const TextureLevel> levels, const BlockFormat* blocks,
            level.bytes.size() == texture_level_bytes(blocks, level.width, level.height));
     length[l] = levels[l].bytes.size();
     offset[l] = end;
-    end += length[l];
+    end += padded(length[l]);
   }
   const auto index = [&] {
     std::string out;
@@ -317,7 +324,10 @@ void write_ktx2(std::span<const TextureLevel> levels, const BlockFormat* blocks,
   assert(out.size() == header_bytes);
   sink.add(out + index() + descriptor + pairs);
   if (zstd_level == 0) {
-    for (std::size_t l = count; l-- > 0;) sink.add(levels[l].bytes);
+    for (std::size_t l = count; l-- > 0;) {
+      sink.add(levels[l].bytes);
+      if (padded(length[l]) > length[l]) sink.add(std::string(padded(length[l]) - length[l], '\0'));
+    }
     return;
   }
   end = pairs_at + pairs.size();
@@ -341,7 +351,7 @@ TextureFile read_ktx2(std::string_view bytes, std::string_view path, const AstcD
   const BlockFormat* blocks = block_format_of_vk(format);
   r.expect(
       blocks != nullptr || format == vk_r8g8b8a8_unorm || format == vk_r8g8b8a8_srgb, "Vulkan format", format,
-      "37 or 43 (R8G8B8A8), 131 to 138 (BC1 to BC3), 139 (BC4), 141 (BC5), 143 or 144 (BC6H), 145 or 146 (BC7) or 157 to 172 (ASTC)");
+      "9 (R8), 37 or 43 (R8G8B8A8), 131 to 138 (BC1 to BC3), 139 (BC4), 141 (BC5), 143 or 144 (BC6H), 145 or 146 (BC7) or 157 to 172 (ASTC)");
   r.expect(r.u32(16) == 1, "typeSize", r.u32(16), "1");
   const std::uint32_t width = r.u32(20), height = r.u32(24);
   for (const std::uint32_t side : {width, height})

@@ -267,7 +267,8 @@ BlockLevel compressed(const BlockJob& job, int number, const TexelsShown& shown,
   out.texture = job.texture;
   out.level = number;
   out.tried = out.format = job.how.format->name;
-  out.bytes = level.bytes().size();
+  out.bytes = level.bytes().size() + (job.fourth_apart ? level.texels() : 0);
+  out.fourth_apart = job.fourth_apart;
   out.texels = level.texels();
   out.seconds = level.seconds();
   out.blocks = level.count();
@@ -295,6 +296,7 @@ CompressedTexture compress_texture(const BlockJob& job) {
   CompressedTexture out;
   out.blocks.emplace();
   out.blocks->format = job.how.format;
+  out.blocks->fourth_apart = job.fourth_apart;
   TexelsShown shown = job.shown;
   for (int l = 0; l < job.pixels.levels(); ++l) {
     if (l > 0) {

@@ -33,6 +33,7 @@ struct BlockJob {
   const CompressOptions& how;  // with a format
   const AstcDoor& astc;
   unsigned threads;
+  bool fourth_apart = false;  // it is kept as it is beside the blocks, which hold colour alone
 };
 
 /// Compresses every level from its own exact texels. Blocks by which a material misses the budget are tried again with

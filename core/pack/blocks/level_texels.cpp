@@ -36,6 +36,9 @@ AnyBlock LevelTexels::bare_block(std::size_t number) const {
 AnyBlock LevelTexels::block(std::size_t number) const {
   AnyBlock out = bare_block(number);
   measure.weigh(out);
+  if (!job_.fourth_apart) return out;
+  for (auto& texel : out.texels) texel[3] = 255;
+  out.weights[3] = 0;
   return out;
 }
 
@@ -65,7 +68,8 @@ double LevelTexels::compare(std::size_t number, const std::array<std::uint8_t, 4
     // Nothing shows the colour of a texel that lets all light through.
     const bool unseen = diffuse && !opaque && from.texels[i][3] == 0;
     to.colour[to.count] = unseen || f0_apart ? 0 : measure.colour(from.texels[i], texels[i]);
-    to.fourth[to.count] = opaque ? 0 : measure.fourth(from.texels[i][3], texels[i][3], cutoff);
+    to.fourth[to.count] =
+        opaque || job_.fourth_apart ? 0 : measure.fourth(from.texels[i][3], texels[i][3], cutoff);
     to.at[to.count] = static_cast<std::uint8_t>(i);
     to.share[to.count] = from.shares[i];
     const double difference = budgets(to, to.count++);

@@ -17,7 +17,14 @@ const BlockFormat* fitting_format(const PackDecision& decision, int page);
 /// Whether a material needs no texture for F0.
 bool has_constant_f0(const MaterialFate& fate);
 
-/// Puts into the layout which channels textures in BC4 and BC5 hold, and the defines for their shaders.
-void tell_channels(const std::vector<BlockLevel>& levels, AtlasLayout& layout);
+/// Whether some material of a page reads the fourth channel of one of its textures.
+bool reads_fourth(const PackDecision& decision, const std::vector<PackInput>& materials, int page,
+                  Texture texture);
+
+/// Puts into the layout which channels textures in BC4 and BC5 hold, which fourth channels lie apart with their files, and the
+/// defines for their shaders.
+///   formats   of the files
+void tell_channels(const std::vector<BlockLevel>& levels, const std::vector<std::string>& formats,
+                   AtlasLayout& layout);
 
 }  // namespace etak

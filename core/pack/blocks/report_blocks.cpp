@@ -80,6 +80,7 @@ std::string blocks_text(const std::vector<BlockLevel>& levels) {
                     " misses the budget: " + errors_text(each, m.colour_p99, m.fourth_p99) + "\n";
     }
     out += texture_name(first) + " in " + first.format +
+           (first.fourth_apart ? is_diffuse(first) ? " with alpha in R8" : " with gloss in R8" : "") +
            (first.fallback ? ", since " + first.tried + " would change " : ": ") + worst_text(first) +
            " at most (99 % of a material's texels, level 0)";
     if (!first.fallback)
@@ -93,7 +94,7 @@ std::string blocks_text(const std::vector<BlockLevel>& levels) {
 std::string block_level_json(const BlockLevel& level, bool seconds) {
   return "{\"page\": " + std::to_string(level.page) + ", \"texture\": " + json(name(level.texture)) +
          ", \"level\": " + std::to_string(level.level) + ", \"format\": " + json(level.format) +
-         ", \"bits_per_texel\": " +
+         (level.fourth_apart ? ", \"fourth\": \"R8\"" : "") + ", \"bits_per_texel\": " +
          json(8 * static_cast<double>(level.bytes) / static_cast<double>(level.texels)) +
          (seconds ? ", \"seconds\": " + json(level.seconds) : "") + ", \"blocks\": " + json(level.blocks) +
          ", \"escalated\": " + json(level.escalated) + ", \"shared_blocks\": " + json(level.shared) +

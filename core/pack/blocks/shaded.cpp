@@ -121,6 +121,7 @@ class ShadedPage {
       if (!its.blocks) continue;
       plane.codec.emplace(*its.blocks->format, job.astc);
       plane.bytes = &its.blocks->levels.front();
+      plane.fourth_apart = its.blocks->fourth_apart;
       plane.uses = block_uses(job.decision, job.shown, job.page, texture, 0, its.blocks->format->block_width);
       plane.owned.resize(job.materials.size());
       for (std::size_t b = 0; b < plane.uses.owner.size(); ++b)
@@ -236,6 +237,7 @@ class ShadedPage {
     std::optional<ConstPixelsView8> view;  // none: the page has no such texture
     std::optional<BlockCodec> codec;       // none: it is not in blocks
     const std::string* bytes = nullptr;
+    bool fourth_apart = false;
     BlockUses uses;
     std::vector<bool> holds;                      // by material
     std::vector<std::vector<std::size_t>> owned;  // blocks by material
@@ -273,7 +275,9 @@ class ShadedPage {
       if (plane.view && plane.holds[material]) {
         Texel texel{};
         std::copy_n(plane.view->at(static_cast<int>(x), static_cast<int>(y)), 4, texel.data());
+        const std::uint8_t fourth = texel[3];
         if (last != nullptr && plane.codec) texel = decoded(plane, x, y, (*last)[index_of(texture)]);
+        if (plane.fourth_apart) texel[3] = fourth;
         std::ranges::copy(texel, out.begin() + static_cast<std::ptrdiff_t>(first));
       }
     }

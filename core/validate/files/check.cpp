@@ -26,7 +26,7 @@ namespace {
 std::unique_ptr<RowSource> open_role(const CheckTarget& target, const PictureOpener& opener,
                                      std::initializer_list<FileRole> roles) {
   const TargetFile* file = target.with_role(roles);
-  return file == nullptr ? nullptr : spread_rows(target, *file, opener(*file));
+  return file == nullptr ? nullptr : open_page(target, *file, opener);
 }
 
 // A pair, or F0 alone: read in strips.

@@ -28,9 +28,12 @@ std::string beside(const std::string& path, const std::string& name) {
 // The parts of a layout that the check needs, of layouts of etak and of other programs.
 struct LayoutFacts {
   struct Page {
-    std::vector<std::pair<FileRole, std::string>> files;
-    bool one_texture = false;
-    std::string channels = {};  // TargetFile::channels of F0 and gloss
+    struct File {
+      FileRole role;
+      std::string name, channels;  // TargetFile::channels
+    };
+    std::vector<File> files;
+    bool one_texture = false, spread = false;  // F0 and gloss have fewer channels
   };
   struct Place {
     std::string material;
@@ -123,23 +126,42 @@ std::optional<std::array<std::uint8_t, 3>> flat_f0(const AtlasMaterialRow& row) 
   return std::array{*code[specular_channel], *code[specular_channel + 1], *code[specular_channel + 2]};
 }
 
+constexpr std::array page_roles{FileRole::diffuse_alpha, FileRole::specular_gloss};  // by Texture
+
+// A file with a fourth channel alone follows the one whose channel that is.
+LayoutFacts::Page facts_of(const AtlasPage& page) {
+  LayoutFacts::Page out;
+  const std::string spread = channels_of(page);
+  out.spread = !spread.empty();
+  for (const Texture texture : both_textures) {
+    const auto t = static_cast<std::size_t>(texture);
+    if (page.files[t].empty()) continue;
+    const std::string fourth = page.fourth_beside_first(texture);
+    out.files.push_back({page_roles[t], page.files[t].front(),
+                         !fourth.empty()                      ? "+"
+                         : texture == Texture::specular_gloss ? spread
+                                                              : ""});
+    if (!fourth.empty()) out.files.push_back({FileRole::other, fourth, ""});
+  }
+  return out;
+}
+
 LayoutFacts::Page read_page(const JsonNode& node) {
   node.expect_object();
-  LayoutFacts::Page out;
-  for (const auto& [key, role] : {std::pair("diffuse_alpha", FileRole::diffuse_alpha),
-                                  std::pair("specular_gloss", FileRole::specular_gloss)}) {
-    if (!node.has(key)) continue;
-    if (node.at(key).value.is_null())
-      out.one_texture = true;
-    else
-      out.files.emplace_back(role, node.at(key).text());
-  }
   AtlasPage page;
   page.in_blocks = read_channels_in_blocks(node);
-  for (const auto& [role, name] : out.files)
-    if (role == FileRole::specular_gloss)
-      page.files[static_cast<std::size_t>(Texture::specular_gloss)] = {name};
-  out.channels = channels_of(page);
+  page.fourth_apart = read_fourth_apart(node);
+  bool one_texture = false;
+  for (const Texture texture : both_textures) {
+    const std::string_view key = name(texture);
+    if (!node.has(key)) continue;
+    if (node.at(key).value.is_null())
+      one_texture = true;
+    else
+      page.files[static_cast<std::size_t>(texture)] = {node.at(key).text()};
+  }
+  LayoutFacts::Page out = facts_of(page);
+  out.one_texture = one_texture;
   return out;
 }
 
@@ -174,16 +196,8 @@ LayoutFacts facts_of(const AtlasLayout& layout, const std::string& path) {
   LayoutFacts out;
   for (const std::string& name : layout.other_files) add_other_file(name, path, out.common);
   for (const AtlasPage& page : layout.pages) {
-    LayoutFacts::Page& to = out.pages.emplace_back();
-    for (const auto& [texture, role] : {std::pair(Texture::diffuse_alpha, FileRole::diffuse_alpha),
-                                        std::pair(Texture::specular_gloss, FileRole::specular_gloss)}) {
-      const std::vector<std::string>& files = page.files[static_cast<std::size_t>(texture)];
-      if (files.empty())
-        to.one_texture = true;
-      else
-        to.files.emplace_back(role, files.front());
-    }
-    to.channels = channels_of(page);
+    out.pages.push_back(facts_of(page));
+    out.pages.back().one_texture = page.files[0].empty() || page.files[1].empty();
   }
   out.common.specular_weighs_diffuse = layout.diffuse_reduced && !layout.pages.empty();
   out.materials = layout.materials;
@@ -263,11 +277,11 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
     CheckTarget& target = targets.emplace_back();
     target.manifest = facts.common;
     target.manifest.one_texture = page.one_texture;
-    for (const auto& [role, name] : page.files)
-      target.files.push_back({role, beside(path, name), beside(label, name), false,
-                              role == FileRole::specular_gloss ? page.channels : ""});
-    target.label = target.files.empty() ? label + "#/pages/" + std::to_string(targets.size() - 1)
-                                        : target.files.back().label;
+    target.label = label + "#/pages/" + std::to_string(targets.size() - 1);
+    for (const auto& [role, name, channels] : page.files) {
+      target.files.push_back({role, beside(path, name), beside(label, name), false, channels});
+      if (role != FileRole::other) target.label = target.files.back().label;
+    }
   }
   RowsByName by_name;
   for (const AtlasMaterialRow& row : facts.materials) by_name.try_emplace(row.name, &row);
@@ -277,7 +291,6 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
   for (auto& [name, tile, rect] : facts.places) {
     const PixelBox& box = tile.box;
     CheckTarget& target = targets[static_cast<std::size_t>(tile.page)];
-    const std::string& page_channels = facts.pages[static_cast<std::size_t>(tile.page)].channels;
     target.manifest.layout_alone = target.manifest.layout_alone || !rect.holds_all();
     if (!rect.holds_all() && box.width == 1 && box.height == 1) continue;  // a number is no picture
     const auto row = by_name.find(name);
@@ -292,7 +305,8 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
     if (row != by_name.end())
       for (const Texture texture : both_textures)
         tile.flat[static_cast<std::size_t>(texture)] = flat_codes(*row->second, texture);
-    if (row != by_name.end() && !page_channels.empty()) tile.flat_f0 = flat_f0(*row->second);
+    if (row != by_name.end() && facts.pages[static_cast<std::size_t>(tile.page)].spread)
+      tile.flat_f0 = flat_f0(*row->second);
     tiles.push_back(std::move(tile));
   }
   CheckTarget numbers = target_of_numbers(facts, label);

@@ -1,9 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
+// Textures in blocks whose fourth channel lies apart.
 #include <catch2/catch.hpp>
 
+#include "core/base/files/paths.h"
+#include "core/image/astc_codec.h"
+#include "core/image/files/containers.h"
+#include "core/image/image_io.h"
 #include "core/pack/blocks/budget.h"
+#include "core/validate/files/load.h"
+#include "tests/core/atlas/pack_support.h"
 
-using namespace etak;
+namespace etak {
+namespace {
+
+using namespace test;
+
+// A blended material of slow colours; opacity and gloss are noise, which no block holds.
+std::string noisy_fourths(const TempFolder& folder, bool noisy_colour) {
+  Image8 slow(64, 64, 3);
+  for (int y = 0; y < slow.height; ++y)
+    for (int x = 0; x < slow.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        slow.at(x, y)[c] = static_cast<std::uint8_t>(120 + x / 2 + static_cast<int>(c) * y / 4);
+  save_png(folder.file("d.png"), noisy_colour ? noise(64, 64, 3, 7) : slow);
+  save_png(folder.file("s.png"), slow);
+  save_png(folder.file("g.png"), noise(64, 64, 1, 1));
+  save_png(folder.file("o.png"), noise(64, 64, 1, 2));
+  return manifest_of({R"({"name": "w", "diffuse": "d.png", "specular": "s.png", "gloss": "g.png", )"
+                      R"("alpha": "o.png", "alpha_mode": "blend"})"});
+}
+
+TextureFile file_of(const TempFolder& folder, const std::string& name) {
+  const std::string bytes = slurp(folder.file("out/" + name));
+  return name.ends_with(".dds") ? read_dds(bytes, name) : read_ktx2(bytes, name, astc_door());
+}
+
+}  // namespace
 
 TEST_CASE("a percentile of block errors counts texels by how much of them triangles read") {
   Spread spread(0.01);
@@ -16,3 +48,81 @@ TEST_CASE("a percentile of block errors counts texels by how much of them triang
   for (int i = 0; i < 20; ++i) spread.add(3, 255);
   CHECK(spread.percentile_99() == 3);
 }
+
+TEST_CASE(
+    "gloss and opacity that no block holds are exact beside blocks of colour, and everyone reads them") {
+  const TempFolder folder;
+  const std::string manifest = noisy_fourths(folder, false);
+  for (const std::string word : {"auto", "astc"}) {
+    CAPTURE(word);
+    const std::vector<std::string> kinds =
+        word == "auto" ? std::vector<std::string>{"ktx2", "dds"} : std::vector<std::string>{"ktx2"};
+    // With PNG first, what reads the first files is told of four channels.
+    std::vector<std::string> all = kinds;
+    all.insert(all.begin(), "png");
+    PackOptions options = in_blocks(word, all);
+    options.output.compress.budget = parse_block_budget("diffuse=3,f0=3");
+    const PackResult result = pack_text(folder, manifest, options);
+    const AtlasLayout with_png = packed_layout(folder);
+    CHECK((with_png.pages[0].fourth_apart == std::array{true, true}));
+    CHECK(with_png.pages[0].fourth_beside_first(Texture::specular_gloss).empty());
+    for (const AtlasMaterialRow& row : with_png.materials)
+      CHECK(std::ranges::count(row.defines, "ETAK_GLOSS_APART") == 0);
+    const std::vector<std::string> rules = rules_of(folder.file("out/layout.json"), picture_door());
+    for (const Texture texture : both_textures) {
+      const bool alpha = texture == Texture::diffuse_alpha;
+      const std::string fourth = alpha ? "page0_alpha" : "page0_gloss";
+      const Image8 exact = load_png(folder.file("out/page0_" + std::string(name(texture)) + ".png"));
+      for (const std::string& kind : kinds) {
+        CAPTURE(fourth, kind);
+        const TextureFile colour = file_of(folder, "page0_" + std::string(name(texture)) + '.' + kind),
+                          apart = file_of(folder, fourth + '.' + kind);
+        CHECK((colour.blocks->block_bytes == 16 && apart.blocks->name == "R8"));
+        CHECK(!apart.srgb);
+        REQUIRE(apart.levels.size() == colour.levels.size());
+        int others = 0;
+        for (int y = 0; y < exact.height; ++y)
+          for (int x = 0; x < exact.width; ++x) others += apart.levels[0].at(x, y)[0] != exact.at(x, y)[3];
+        CHECK(others == 0);
+      }
+      if (word == "auto") {  // The header of a DDS file takes 148 bytes, and rows follow one another.
+        const std::string bytes = slurp(folder.file("out/" + fourth + ".dds"));
+        const auto at = static_cast<std::size_t>(148 + 5 * exact.width + 17);
+        CHECK(static_cast<std::uint8_t>(bytes[at]) == exact.at(17, 5)[3]);
+      }
+      for (const BlockLevel& level : result.blocks)
+        if (level.texture == texture) {
+          CHECK((level.fourth_apart && !level.fallback));
+          CHECK(level.bytes == level.texels + 16 * level.blocks);
+          for (const BlockMaterial& m : level.materials) CHECK((m.met && m.fourth_largest == 0));
+        }
+    }
+
+    options.output.write.formats = kinds;
+    (void)pack_text(folder, manifest, options);
+    const AtlasLayout layout = packed_layout(folder);
+    CHECK(layout.pages[0].fourth_beside_first(Texture::diffuse_alpha) == "page0_alpha.ktx2");
+    for (const char* define : {"ETAK_ALPHA_APART", "ETAK_GLOSS_APART"})
+      CHECK(std::ranges::count(layout.materials[0].defines, define) == 1);
+    CHECK(layout.xxh128.contains("page0_gloss.ktx2"));
+    CHECK(rules_of(folder.file("out/layout.json"), picture_door()) == rules);
+    const Pictures seen =
+        load_pictures(targets_of_layout(folder.file("out/layout.json"), "l").at(0), picture_door());
+    const Image8 gloss = file_of(folder, "page0_gloss.ktx2").levels[0];
+    CHECK(seen.b.at(20, 30)[3] == gloss.at(20, 30)[0]);
+    // What is not there any more goes.
+    (void)pack_text(folder, manifest, in_blocks("none", kinds));
+    CHECK_FALSE(is_there(folder.file("out/page0_gloss.ktx2")));
+  }
+}
+
+TEST_CASE("a fourth channel apart does not save colours that miss the budget") {
+  const TempFolder folder;
+  (void)pack_text(folder, noisy_fourths(folder, true), in_blocks("auto", {"png", "ktx2"}));
+  const AtlasLayout layout = packed_layout(folder);
+  CHECK((layout.pages[0].fourth_apart == std::array{false, true}));
+  CHECK(file_of(folder, "page0_diffuse_alpha.ktx2").blocks == nullptr);
+  CHECK_FALSE(is_there(folder.file("out/page0_alpha.ktx2")));
+}
+
+}  // namespace etak

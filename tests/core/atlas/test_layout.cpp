@@ -53,6 +53,19 @@ TEST_CASE("a layout says which channels a texture in BC4 or BC5 holds") {
   CHECK(contains(error_of([&] { (void)parse_layout(bad, "l"); }), "/pages/0/specular_gloss_in_blocks"));
 }
 
+TEST_CASE("a layout says which fourth channels lie in files of their own") {
+  AtlasLayout with = layout();
+  with.pages[0].fourth_apart = {false, true};
+  const std::string text = layout_json(with);
+  CHECK(parse_layout(text, "l") == with);
+  CHECK(fourth_file_beside("page0_specular_gloss.dds", Texture::specular_gloss) == "page0_gloss.dds");
+  CHECK(fourth_file_beside("page12_diffuse_alpha.ktx2", Texture::diffuse_alpha) == "page12_alpha.ktx2");
+  CHECK(fourth_file_beside("page0_specular_gloss.png", Texture::specular_gloss).empty());
+  std::string bad = text;
+  bad.replace(bad.find("[\"gloss\"]"), 9, "[\"F0\"]");
+  CHECK(contains(error_of([&] { (void)parse_layout(bad, "l"); }), "/pages/0/apart_in_blocks"));
+}
+
 TEST_CASE("a layout reads back as it was written") {
   CHECK(parse_layout(layout_json(layout()), "l") == layout());
 }

@@ -44,6 +44,7 @@ std::string descriptor_of(const BlockFormat& format, bool srgb) {
     return test::block_descriptor(133, false, 16, {{0, 128, 0x80}}, 0x0303, {0, 0x3f800000});
   if (format.name == "BC6H signed")
     return test::block_descriptor(133, false, 16, {{0, 128, 0xc0}}, 0x0303, {0xbf800000, 0x3f800000});
+  if (format.name == "R8") return test::block_descriptor(1, srgb, 1, {{0, 8, 0}}, 0, {0, 255});
   return test::block_descriptor(134, srgb, 16, {{0, 128, 0}});
 }
 
