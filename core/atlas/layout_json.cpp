@@ -179,7 +179,7 @@ std::array<bool, 2> read_fourth_apart(const JsonNode& page) {
   std::array<bool, 2> out{};
   if (!page.has(key)) return out;
   for (const std::string& each : page.at(key).texts()) {
-    const auto* const found = std::ranges::find(fourth_names, each);
+    const auto found = std::ranges::find(fourth_names, each);
     if (found == fourth_names.end()) page.at(key).fail_type("some of alpha and gloss");
     out[static_cast<std::size_t>(found - fourth_names.begin())] = true;
   }
