@@ -230,6 +230,9 @@ class LevelInBlocks {
   std::size_t escalated_ = 0;
 };
 
+// The last tries bring single texels within the budget. They take the most time, and where most blocks miss it they are spared.
+constexpr std::size_t evened_tries = 2;
+
 // What blocks are tried with in turn: more effort, more weight on one side, then more on the texels that miss the budget.
 std::vector<BlockTry> tries_of(const CompressOptions& how) {
   // Channels of BC4 and BC5 are apart, and neither weights nor effort change them.
@@ -238,7 +241,7 @@ std::vector<BlockTry> tries_of(const CompressOptions& how) {
   for (int effort = how.effort; effort <= most_block_effort; ++effort) out.push_back({effort});
   for (const float fourth : {4.0f, 16.0f, 0.25f})
     out.push_back({std::min(most_block_effort, how.effort + 1), {1, 1, 1, fourth}});
-  for (int again = 0; again < 2; ++again) out.push_back({most_block_effort, {1, 1, 1, 1}, true});
+  out.insert(out.end(), evened_tries, {most_block_effort, {1, 1, 1, 1}, true});
   return out;
 }
 
@@ -254,11 +257,13 @@ BlockLevel compressed(const BlockJob& job, int number, const TexelsShown& shown,
   const std::vector<BlockTry> tries = tries_of(job.how);
   level.encode(tries[0]);
   ByMaterial spreads = level.measure();
-  for (std::size_t t = 1; t < tries.size(); ++t) {
+  std::size_t most = tries.size();
+  for (std::size_t t = 1; t < most; ++t) {
     const std::vector<bool> misses = missing(level, spreads);
     if (std::ranges::find(misses, true) == misses.end()) break;
-    if (t == 1 && job.how.falls_back && level.is_hopeless(spreads, misses, std::span(tries).subspan(1)))
-      break;
+    if (t == 1 && level.is_hopeless(spreads, misses, std::span(tries).subspan(1)))
+      most = job.how.falls_back ? 1 : tries.size() - evened_tries;
+    if (t == most) break;
     level.escalate(level.bad_blocks(misses), tries[t]);
     spreads = level.measure();
   }
