@@ -11,6 +11,7 @@
 #include "app/editor/panels/drop_table.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"
+#include "app/editor/panels/texture_view.h"
 #include "app/editor/window.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
