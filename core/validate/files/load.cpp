@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/files/load.h"
 
+#include <list>
+
 #include "core/base/error.h"
 #include "core/image/load.h"
 #include "core/judge/pixels/flat_rows.h"
@@ -44,6 +46,10 @@ std::unique_ptr<RowSource> open_page(const CheckTarget& target, const TargetFile
   if (file.channels != "+") return rows;
   const TargetFile& apart = target.files[static_cast<std::size_t>(&file - target.files.data()) + 1];
   std::unique_ptr<RowSource> fourth = open(apart);
+  if (rows->header().floating || fourth->header().floating)
+    throw Error::at(apart.label,
+                    "cannot hold the fourth channel of " + file.label + ", since one of them holds floats",
+                    "codes of 8 bits in both");
   if (fourth->header().width != rows->header().width || fourth->header().height != rows->header().height)
     throw Error::at(apart.label, "is not as large as " + file.label, "one size");
   return std::make_unique<RowsWithFourth>(std::move(rows), std::move(fourth));
@@ -54,11 +60,11 @@ Pictures load_pictures(const CheckTarget& target, const PictureDoor& door) {
   Pictures out;
   const auto load = [&](const TargetFile* file, Image8& to) {
     if (file == nullptr) return;
-    Image8 codes;
+    std::list<Image8> codes;  // of rows that were floats, each read from here
     const auto source = open_page(target, *file, [&](const TargetFile& each) {
       auto rows = open_target_file(each, door);
       if (!rows->header().floating) return rows;
-      return rows_of(codes = codes_of(load_picture(each.picture(), door), true));
+      return rows_of(codes.emplace_back(codes_of(load_picture(each.picture(), door), true)));
     });
     to = Image8(source->header().width, source->header().height, 4);
     source->read_rows(to.values.data(), 4 * static_cast<std::size_t>(to.width), to.height);
