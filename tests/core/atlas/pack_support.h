@@ -10,11 +10,8 @@
 
 #include "core/atlas/layout.h"
 #include "core/image/files/png.h"
-#include "core/image/image_io.h"
 #include "core/image/load.h"
 #include "core/pack/pack.h"
-#include "core/validate/files/check.h"
-#include "core/validate/files/layout_targets.h"
 #include "tests/core/image/png_of.h"
 #include "tests/support.h"
 
@@ -95,25 +92,6 @@ inline std::vector<std::string> files_in(const std::string& folder) {
 
 inline AtlasLayout packed_layout(const TempFolder& folder) {
   return parse_layout(slurp(folder.file("out/layout.json")), "layout.json");
-}
-
-/// Options of a word of --compress.
-inline PackOptions in_blocks(std::string_view word,
-                             std::vector<std::string> formats = {"png", "ktx2", "dds"}) {
-  PackOptions out;
-  out.output.write.formats = std::move(formats);
-  out.output.compress = compress_word(word);
-  out.input.pictures.door = picture_door();
-  return out;
-}
-
-/// What the validator finds in the pages of a layout, but for compression that loses something.
-inline std::vector<std::string> rules_of(const std::string& layout, const PictureDoor& door) {
-  std::vector<std::string> out;
-  for (const CheckTarget& target : targets_of_layout(layout, "layout"))
-    for (const Finding& finding : check(target, door, Settings{}).findings)
-      if (finding.rule != "ETK005") out.push_back(finding.rule + ' ' + finding.tile);
-  return out;
 }
 
 inline const AtlasRect& rect_named(const AtlasLayout& layout, const std::string& name) {

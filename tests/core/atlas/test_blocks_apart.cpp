@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures in blocks whose fourth channel lies apart.
+// Which channels textures in blocks hold, and what lies apart from them.
 #include <catch2/catch.hpp>
 
 #include "core/base/files/paths.h"
-#include "core/image/astc_codec.h"
-#include "core/image/files/containers.h"
-#include "core/image/image_io.h"
 #include "core/pack/blocks/budget.h"
 #include "core/validate/files/load.h"
-#include "tests/core/atlas/pack_support.h"
+#include "tests/core/atlas/blocks_support.h"
 
 namespace etak {
 namespace {
@@ -116,6 +113,21 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("levels of one channel whose lengths are no multiples of 4 are read as they were written") {
+  std::vector<std::string> texels{std::string(15, 'a'), std::string(2, 'b'), std::string(1, 'c')};
+  std::vector<TextureLevel> levels;
+  for (std::size_t l = 0; l < texels.size(); ++l)
+    levels.push_back({std::max(1, 5 >> l), std::max(1, 3 >> l), texels[l]});
+  std::string file;
+  write_ktx2(levels, block_format_named("R8"), false, 0,
+             {[&](std::string_view more) { file += more; },
+              [&](std::size_t at, std::string_view with) { file.replace(at, with.size(), with); }});
+  const TextureFile read = read_ktx2(file, "a.ktx2");
+  REQUIRE(read.levels.size() == 3);
+  for (std::size_t l = 0; l < texels.size(); ++l)
+    CHECK(std::string(read.levels[l].values.begin(), read.levels[l].values.end()) == texels[l]);
+}
+
 TEST_CASE("a fourth channel apart does not save colours that miss the budget") {
   const TempFolder folder;
   (void)pack_text(folder, noisy_fourths(folder, true), in_blocks("auto", {"png", "ktx2"}));
@@ -123,6 +135,107 @@ TEST_CASE("a fourth channel apart does not save colours that miss the budget") {
   CHECK((layout.pages[0].fourth_apart == std::array{false, true}));
   CHECK(file_of(folder, "page0_diffuse_alpha.ktx2").blocks == nullptr);
   CHECK_FALSE(is_there(folder.file("out/page0_alpha.ktx2")));
+}
+
+namespace {
+
+// A material of 64 x 64 texels whose F0 is `specular`.
+std::string material_of_f0(const TempFolder& folder, const std::string& name, const Image8& specular,
+                           unsigned seed) {
+  const std::string entry = blocks_material(folder, name, 64, 64, seed, 2);
+  save_png(folder.file(name + "_specular.png"), specular);
+  return entry;
+}
+
+Image8 grey_waves(unsigned seed) {
+  const Image8 from = waves(64, 64, 1, seed, 2);
+  Image8 out(64, 64, 3);
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = from.values[i / 3];
+  return out;
+}
+
+Image8 one_colour(std::array<std::uint8_t, 3> codes) {
+  Image8 out(64, 64, 3);
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = codes[i % 3];
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "auto keeps of F0 and gloss the channels that vary, and layout, validator and OpenImageIO read them") {
+  const TempFolder folder;
+  const std::string a = material_of_f0(folder, "a", one_colour({60, 50, 40}), 1),
+                    b = material_of_f0(folder, "b", one_colour({200, 200, 190}), 5),
+                    grey = material_of_f0(folder, "g", grey_waves(9), 9),
+                    coloured = blocks_material(folder, "c", 64, 64, 13, 1);
+  struct Case {
+    std::vector<std::string> entries;
+    std::string format;
+    std::vector<std::string> channels;
+    std::string define;
+  };
+  const std::vector<Case> cases{{{a, b}, "BC4", {"gloss"}, "ETAK_GLOSS_IN_RED"},
+                                {{a, grey}, "BC5", {"specular", "gloss"}, "ETAK_F0_GLOSS_IN_RED_GREEN"},
+                                {{a, grey, coloured}, "BC7", {}, ""}};
+  for (const Case& each : cases) {
+    CAPTURE(each.format);
+    // With PNG first, the defines are those of PNG.
+    PackOptions exact = in_blocks("auto", {"png", "ktx2"});
+    exact.output.compress.budget = parse_block_budget("5");
+    (void)pack_text(folder, manifest_of(each.entries), exact);
+    const Image8 page = load_png(folder.file("out/page0_specular_gloss.png"));
+    const AtlasLayout with_png = packed_layout(folder);
+    CHECK(with_png.pages[0].in_blocks == each.channels);
+    for (const AtlasMaterialRow& row : with_png.materials)
+      CHECK((each.define.empty() || std::ranges::count(row.defines, each.define) == 0));
+    const std::vector<std::string> rules = rules_of(folder.file("out/layout.json"), picture_door());
+
+    PackOptions options = in_blocks("auto", {"ktx2", "dds"});
+    options.output.compress.budget = exact.output.compress.budget;
+    const PackResult result = pack_text(folder, manifest_of(each.entries), options);
+    const AtlasLayout layout = packed_layout(folder);
+    CHECK(layout.pages[0].in_blocks == each.channels);
+    const TextureFile ktx2 = ktx2_page(folder, "specular_gloss");
+    const TextureFile dds = read_dds(slurp(folder.file("out/page0_specular_gloss.dds")), "page");
+    CHECK(ktx2.blocks->name == each.format);
+    CHECK((dds.blocks == ktx2.blocks && dds.levels == ktx2.levels));
+    CHECK(ktx2.srgb == (each.format == "BC7"));
+    CHECK(dds.srgb == ktx2.srgb);
+    CHECK(rules_of(folder.file("out/layout.json"), picture_door()) == rules);
+    const auto level = std::ranges::find(result.blocks, Texture::specular_gloss, &BlockLevel::texture);
+    CHECK(level->format == each.format);
+    if (each.define.empty()) continue;
+    // An independent decoder, and the pictures that the validator sees.
+    const std::string file = folder.file("out/page0_specular_gloss.dds");
+    const Image8 theirs = codes_of(picture_door().file(file), false);
+    const Pictures seen =
+        load_pictures(targets_of_layout(folder.file("out/layout.json"), "l").at(0), picture_door());
+    for (const BlockMaterial& m : level->materials) {
+      CAPTURE(m.id);
+      const AtlasRect& rect = rect_named(layout, m.id);
+      const AtlasMaterialRow& row = *std::ranges::find(layout.materials, m.id, &AtlasMaterialRow::name);
+      CHECK(std::ranges::count(row.defines, each.define) == 1);
+      double colour = 0, gloss = 0;
+      int apart = 0;
+      for (int y = rect.y; y < rect.y + rect.height; ++y)
+        for (int x = rect.x; x < rect.x + rect.width; ++x) {
+          const auto from = page.at(x, y);
+          const auto to = seen.b.at(x, y);
+          if (row.constant[4])
+            apart += to[0] != row.constant[4] || to[1] != row.constant[5] || to[2] != row.constant[6];
+          const auto ours = theirs.at(x, y);
+          const std::size_t at = each.format == "BC4" ? 0 : 1;
+          apart += std::abs(ours[at] - to[3]) > 1;
+          if (!row.constant[4]) apart += std::abs(ours[0] - to[0]) > 1;
+          colour = std::max(colour, delta_e_of(from.data(), to.data()));
+          gloss = std::max(gloss, 100 * (std::exp2(12 * std::abs(from[3] - to[3]) / 255.0) - 1));
+        }
+      CHECK(apart == 0);
+      CHECK(m.colour_largest == Approx(colour).margin(1e-9));
+      CHECK(m.fourth_largest == Approx(gloss).margin(1e-9));
+    }
+  }
 }
 
 }  // namespace etak

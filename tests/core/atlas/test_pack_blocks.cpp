@@ -21,47 +21,12 @@
 #include "core/validate/files/check.h"
 #include "core/validate/files/layout_targets.h"
 #include "core/validate/files/load.h"
-#include "tests/core/atlas/pack_support.h"
+#include "tests/core/atlas/blocks_support.h"
 
 namespace etak {
 namespace {
 
 using namespace test;
-
-// A picture of slow waves with some noise, as materials have it.
-Image8 waves(int width, int height, int channels, unsigned seed, unsigned noise) {
-  std::mt19937 random(seed);
-  Image8 out(width, height, channels);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      for (int c = 0; c < channels; ++c) {
-        const double wave = 128 + 60 * std::sin(0.02 * (x + 2 * c) + seed) * std::cos(0.015 * (y - c));
-        out.at(x, y)[static_cast<std::size_t>(c)] =
-            static_cast<std::uint8_t>(wave + static_cast<double>(random() % (noise + 1)));
-      }
-  return out;
-}
-
-std::string blocks_material(const TempFolder& folder, const std::string& name, int width, int height,
-                            unsigned seed, unsigned noise) {
-  save_png(folder.file(name + "_diffuse.png"), waves(width, height, 3, seed, noise));
-  save_png(folder.file(name + "_specular.png"), waves(width, height, 3, seed + 1, noise));
-  save_png(folder.file(name + "_gloss.png"), waves(width, height, 1, seed + 2, noise));
-  return "{\"name\": \"" + name + "\", \"diffuse\": \"" + name + "_diffuse.png\", \"specular\": \"" + name +
-         "_specular.png\", \"gloss\": \"" + name + "_gloss.png\"}";
-}
-
-TextureFile ktx2_page(const TempFolder& folder, const std::string& texture) {
-  return read_ktx2(slurp(folder.file("out/page0_" + texture + ".ktx2")), "page", astc_door());
-}
-
-double delta_e_of(const std::uint8_t* a, const std::uint8_t* b) {
-  const auto lab = [](const std::uint8_t* code) {
-    return to_lab(
-        LinearRgb{srgb_decode(code[0] / 255.0), srgb_decode(code[1] / 255.0), srgb_decode(code[2] / 255.0)});
-  };
-  return delta_e2000(lab(a), lab(b));
-}
 
 // The value that 99 of 100 do not exceed.
 double percentile_99_of(std::vector<double> values) {
@@ -115,107 +80,6 @@ TEST_CASE("KTX2 and DDS hold the same blocks, which change each material by what
   }
   CHECK(result.totals->output[0].totals.gpu <
         static_cast<std::uint64_t>(result.pages[0].width * result.pages[0].height * 3 / 2));
-}
-
-namespace {
-
-// A material of 64 x 64 texels whose F0 is `specular`.
-std::string material_of_f0(const TempFolder& folder, const std::string& name, const Image8& specular,
-                           unsigned seed) {
-  const std::string entry = blocks_material(folder, name, 64, 64, seed, 2);
-  save_png(folder.file(name + "_specular.png"), specular);
-  return entry;
-}
-
-Image8 grey_waves(unsigned seed) {
-  const Image8 from = waves(64, 64, 1, seed, 2);
-  Image8 out(64, 64, 3);
-  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = from.values[i / 3];
-  return out;
-}
-
-Image8 one_colour(std::array<std::uint8_t, 3> codes) {
-  Image8 out(64, 64, 3);
-  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = codes[i % 3];
-  return out;
-}
-
-}  // namespace
-
-TEST_CASE(
-    "auto keeps of F0 and gloss the channels that vary, and layout, validator and OpenImageIO read them") {
-  const TempFolder folder;
-  const std::string a = material_of_f0(folder, "a", one_colour({60, 50, 40}), 1),
-                    b = material_of_f0(folder, "b", one_colour({200, 200, 190}), 5),
-                    grey = material_of_f0(folder, "g", grey_waves(9), 9),
-                    coloured = blocks_material(folder, "c", 64, 64, 13, 1);
-  struct Case {
-    std::vector<std::string> entries;
-    std::string format;
-    std::vector<std::string> channels;
-    std::string define;
-  };
-  const std::vector<Case> cases{{{a, b}, "BC4", {"gloss"}, "ETAK_GLOSS_IN_RED"},
-                                {{a, grey}, "BC5", {"specular", "gloss"}, "ETAK_F0_GLOSS_IN_RED_GREEN"},
-                                {{a, grey, coloured}, "BC7", {}, ""}};
-  for (const Case& each : cases) {
-    CAPTURE(each.format);
-    // With PNG first, the defines are those of PNG.
-    PackOptions exact = in_blocks("auto", {"png", "ktx2"});
-    exact.output.compress.budget = parse_block_budget("5");
-    (void)pack_text(folder, manifest_of(each.entries), exact);
-    const Image8 page = load_png(folder.file("out/page0_specular_gloss.png"));
-    const AtlasLayout with_png = packed_layout(folder);
-    CHECK(with_png.pages[0].in_blocks == each.channels);
-    for (const AtlasMaterialRow& row : with_png.materials)
-      CHECK((each.define.empty() || std::ranges::count(row.defines, each.define) == 0));
-    const std::vector<std::string> rules = rules_of(folder.file("out/layout.json"), picture_door());
-
-    PackOptions options = in_blocks("auto", {"ktx2", "dds"});
-    options.output.compress.budget = exact.output.compress.budget;
-    const PackResult result = pack_text(folder, manifest_of(each.entries), options);
-    const AtlasLayout layout = packed_layout(folder);
-    CHECK(layout.pages[0].in_blocks == each.channels);
-    const TextureFile ktx2 = ktx2_page(folder, "specular_gloss");
-    const TextureFile dds = read_dds(slurp(folder.file("out/page0_specular_gloss.dds")), "page");
-    CHECK(ktx2.blocks->name == each.format);
-    CHECK((dds.blocks == ktx2.blocks && dds.levels == ktx2.levels));
-    CHECK(ktx2.srgb == (each.format == "BC7"));
-    CHECK(dds.srgb == ktx2.srgb);
-    CHECK(rules_of(folder.file("out/layout.json"), picture_door()) == rules);
-    const auto level = std::ranges::find(result.blocks, Texture::specular_gloss, &BlockLevel::texture);
-    CHECK(level->format == each.format);
-    if (each.define.empty()) continue;
-    // An independent decoder, and the pictures that the validator sees.
-    const std::string file = folder.file("out/page0_specular_gloss.dds");
-    const Image8 theirs = codes_of(picture_door().file(file), false);
-    const Pictures seen =
-        load_pictures(targets_of_layout(folder.file("out/layout.json"), "l").at(0), picture_door());
-    for (const BlockMaterial& m : level->materials) {
-      CAPTURE(m.id);
-      const AtlasRect& rect = rect_named(layout, m.id);
-      const AtlasMaterialRow& row = *std::ranges::find(layout.materials, m.id, &AtlasMaterialRow::name);
-      CHECK(std::ranges::count(row.defines, each.define) == 1);
-      double colour = 0, gloss = 0;
-      int apart = 0;
-      for (int y = rect.y; y < rect.y + rect.height; ++y)
-        for (int x = rect.x; x < rect.x + rect.width; ++x) {
-          const auto from = page.at(x, y);
-          const auto to = seen.b.at(x, y);
-          if (row.constant[4])
-            apart += to[0] != row.constant[4] || to[1] != row.constant[5] || to[2] != row.constant[6];
-          const auto ours = theirs.at(x, y);
-          const std::size_t at = each.format == "BC4" ? 0 : 1;
-          apart += std::abs(ours[at] - to[3]) > 1;
-          if (!row.constant[4]) apart += std::abs(ours[0] - to[0]) > 1;
-          colour = std::max(colour, delta_e_of(from.data(), to.data()));
-          gloss = std::max(gloss, 100 * (std::exp2(12 * std::abs(from[3] - to[3]) / 255.0) - 1));
-        }
-      CHECK(apart == 0);
-      CHECK(m.colour_largest == Approx(colour).margin(1e-9));
-      CHECK(m.fourth_largest == Approx(gloss).margin(1e-9));
-    }
-  }
 }
 
 TEST_CASE("no block on a clean level holds texels of two regions, by layout.json alone") {
