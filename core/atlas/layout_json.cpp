@@ -8,6 +8,7 @@
 #include "core/base/json/json_text.h"
 #include "core/base/json/node_json.h"
 #include "core/image/image.h"
+#include "core/image/load.h"
 
 namespace etak {
 namespace {
@@ -111,7 +112,7 @@ std::string read_file_name(const JsonNode& node) {
 }
 
 bool is_container(std::string_view file) {
-  return file.ends_with(".ktx2") || file.ends_with(".dds");
+  return is_gpu_texture(file.substr(file.rfind('.') + 1));
 }
 
 AtlasPage read_page(const JsonNode& node) {

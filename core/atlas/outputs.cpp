@@ -8,13 +8,10 @@
 #include "core/image/files/containers.h"
 #include "core/image/files/png_choice.h"
 #include "core/image/files/png_strips.h"
+#include "core/image/load.h"
 
 namespace etak {
 namespace {
-
-bool is_container(std::string_view format) {
-  return format == "ktx2" || format == "dds";
-}
 
 // One texture of a page.
 struct PageTexture {
@@ -75,7 +72,7 @@ bool writes_floats(const WriteOptions& options) {
 }
 
 bool writes_containers(const WriteOptions& options) {
-  return std::ranges::any_of(options.formats, is_container);
+  return std::ranges::any_of(options.formats, is_gpu_texture);
 }
 
 std::string page_file(int page, Texture texture, std::string_view format, int level) {
@@ -114,7 +111,7 @@ void write_fourth(OutputFolder& folder, int page, Texture texture, const PagePix
       for (int x = 0; x < view.width; ++x) to += static_cast<char>(view.at(x, y)[3]);
   }
   for (const std::string& format : options.formats)
-    if (is_container(format))
+    if (is_gpu_texture(format))
       write_container(folder, {page, texture, pixels},
                       fourth_file_beside(page_file(page, texture, format), texture), options, &fourth);
 }

@@ -202,10 +202,14 @@ Image GlRunner::render(const Scene& scene, const TextureUse& use, const Image8& 
   program.set_sampler("diffuse_alpha", 0);
   program.set_sampler("specular_gloss", 1);
   std::optional<CodeTexture> alpha, gloss;
-  if (use.alpha_apart) alpha.emplace(2, fourth_in_red(diffuse_alpha), false);
-  if (use.gloss_apart) gloss.emplace(3, fourth_in_red(specular_gloss), false);
-  if (use.alpha_apart) program.set_sampler("alpha_apart", 2);
-  if (use.gloss_apart) program.set_sampler("gloss_apart", 3);
+  if (use.alpha_apart) {
+    alpha.emplace(2, fourth_in_red(diffuse_alpha), false);
+    program.set_sampler("alpha_apart", 2);
+  }
+  if (use.gloss_apart) {
+    gloss.emplace(3, fourth_in_red(specular_gloss), false);
+    program.set_sampler("gloss_apart", 3);
+  }
   State::draw(text.corners);
   return rows_down(scene, State::read_rows_up(scene.width, scene.height));
 }

@@ -106,8 +106,8 @@ struct TextureUse {
   /// red; or a grey F0 in red, sRGB-encoded, with gloss in green.
   enum class Channels { rgb_alpha, gloss_alone, f0_gloss };
   Channels channels = Channels::rgb_alpha;
-  bool alpha_apart = false,
-       gloss_apart = false;  // red of the samplers `alpha_apart` and `gloss_apart`, of no sRGB format
+  /// Opacity or gloss is red of a texture of its own, the sampler `alpha_apart` or `gloss_apart`, of no sRGB format.
+  bool alpha_apart = false, gloss_apart = false;
   /// Where a part of the material lies on its page.
   ///   region    left, top, width and height as shares of the page; of no width and height: one point
   ///   rotated   a quarter turn: column c of the picture is row c on the page, and the picture's rows run from

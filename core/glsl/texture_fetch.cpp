@@ -17,7 +17,7 @@ struct FetchedTextures {
   bool b() const { return use.specular || (use.gloss && !use.gloss_apart); }
   bool alpha_apart() const { return use.fetch_alpha && use.alpha_apart; }
   bool gloss_apart() const { return use.gloss && use.gloss_apart; }
-  bool any() const { return a() || b() || alpha_apart() || gloss_apart(); }
+  bool any() const { return use.diffuse || use.fetch_alpha || use.specular || use.gloss; }
   bool blends() const { return use.alpha == TextureUse::Alpha::blend; }
   bool tests() const { return use.alpha == TextureUse::Alpha::test; }
   bool roughness() const { return use.gloss && use.gloss_form != GlossForm::schueler; }

@@ -79,11 +79,11 @@ std::uint64_t page_bytes(const PackResult& result, std::size_t number, Texture t
   if (level == result.blocks.end() || level->fallback)
     return texture_bytes({page.width, page.height, 4}, true);
   std::uint64_t out = 0;
-  for (int l = 0; l < full_mip_levels(page.width, page.height); ++l)
-    for (const std::string_view format : {std::string_view(level->format), std::string_view("R8")})
-      if (format != "R8" || level->fourth_apart)
-        out += texture_level_bytes(block_format_named(format), std::max(1, page.width >> l),
-                                   std::max(1, page.height >> l));
+  for (int l = 0; l < full_mip_levels(page.width, page.height); ++l) {
+    const int width = std::max(1, page.width >> l), height = std::max(1, page.height >> l);
+    out += texture_level_bytes(block_format_named(level->format), width, height);
+    if (level->fourth_apart) out += texture_level_bytes(block_format_named("R8"), width, height);
+  }
   return out;
 }
 

@@ -58,9 +58,9 @@ struct BlockMaterial {
 };
 
 /// One level of a texture that was compressed, or was tried to be.
-///   fallback   some material did not keep to the budget, and the texture is written as RGBA8
-///   fourth_apart   the fourth channel is as it is, in R8 beside the blocks, whose bytes are among `bytes`
-///   escalated  blocks that took more than the first try
+///   fallback       some material did not keep to the budget, and the texture is written as RGBA8
+///   fourth_apart   the fourth channel is as it is, in R8 beside the blocks; `bytes` counts both
+///   escalated      blocks that took more than the first try
 struct BlockLevel {
   int page = 0;
   Texture texture = Texture::diffuse_alpha;

@@ -12,6 +12,7 @@
 #include "core/pack/blocks/block_codec.h"
 #include "core/pack/blocks/budget.h"
 #include "core/pack/blocks/level_texels.h"
+#include "core/pack/blocks/page_format.h"
 
 namespace etak {
 namespace {
@@ -29,10 +30,10 @@ using ByMaterial = std::vector<std::optional<Spreads>>;
 // Compresses one level, and looks at what became of it.
 class LevelInBlocks {
  public:
-  LevelInBlocks(const BlockJob& job, int level, const TexelsShown& shown)
+  LevelInBlocks(const BlockJob& job, const BlockMeasure& measure, int level, const TexelsShown& shown)
       : job_(job),
         codec_(*job.how.format, job.astc),
-        texels_(job, level, shown),
+        texels_(job, measure, level, shown),
         bytes_(codec_.format().block_bytes * texels_.uses.owner.size(), '\0'),
         excess_(texels_.uses.owner.size()) {}
 
@@ -221,8 +222,8 @@ class LevelInBlocks {
   BlockCodec codec_;
   LevelTexels texels_;
   std::string bytes_;
-  std::vector<double>
-      excess_;  // by block: the differences beyond the budget, in budgets, by how much of the texels is read
+  // By block: the differences beyond the budget, in budgets, summed by how much of the texels is read.
+  std::vector<double> excess_;
   bool measured_ = false;
   ByMaterial within_;                // of the blocks that were within the budget at first
   std::vector<std::size_t> beyond_;  // the others
@@ -236,7 +237,7 @@ constexpr std::size_t evened_tries = 2;
 // What blocks are tried with in turn: more effort, more weight on one side, then more on the texels that miss the budget.
 std::vector<BlockTry> tries_of(const CompressOptions& how) {
   // Channels of BC4 and BC5 are apart, and neither weights nor effort change them.
-  if (how.format->code == BlockCode::bc4 || how.format->code == BlockCode::bc5) return {{how.effort}};
+  if (is_fitting(*how.format)) return {{how.effort}};
   std::vector<BlockTry> out;
   for (int effort = how.effort; effort <= most_block_effort; ++effort) out.push_back({effort});
   for (const float fourth : {4.0f, 16.0f, 0.25f})
@@ -252,20 +253,20 @@ std::vector<bool> missing(const LevelInBlocks& level, const ByMaterial& spreads)
 }
 
 // Compresses a level and takes its bytes.
-BlockLevel compressed(const BlockJob& job, int number, const TexelsShown& shown, std::string& bytes) {
-  LevelInBlocks level(job, number, shown);
-  const std::vector<BlockTry> tries = tries_of(job.how);
+BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int number, const TexelsShown& shown,
+                      std::string& bytes) {
+  LevelInBlocks level(job, measure, number, shown);
+  std::vector<BlockTry> tries = tries_of(job.how);
   level.encode(tries[0]);
   ByMaterial spreads = level.measure();
-  std::size_t most = tries.size();
-  for (std::size_t t = 1; t < most; ++t) {
-    const std::vector<bool> misses = missing(level, spreads);
-    if (std::ranges::find(misses, true) == misses.end()) break;
-    if (t == 1 && level.is_hopeless(spreads, misses, std::span(tries).subspan(1)))
-      most = job.how.falls_back ? 1 : tries.size() - evened_tries;
-    if (t == most) break;
+  std::vector<bool> misses = missing(level, spreads);
+  const auto any_misses = [&] { return std::ranges::find(misses, true) != misses.end(); };
+  if (tries.size() > 1 && any_misses() && level.is_hopeless(spreads, misses, std::span(tries).subspan(1)))
+    tries.resize(job.how.falls_back ? 1 : tries.size() - evened_tries);
+  for (std::size_t t = 1; t < tries.size() && any_misses(); ++t) {
     level.escalate(level.bad_blocks(misses), tries[t]);
     spreads = level.measure();
+    misses = missing(level, spreads);
   }
   BlockLevel out;
   out.page = job.page;
@@ -298,6 +299,7 @@ BlockLevel compressed(const BlockJob& job, int number, const TexelsShown& shown,
 }  // namespace
 
 CompressedTexture compress_texture(const BlockJob& job) {
+  const BlockMeasure measure(job.texture, job.gloss, job.how.budget);
   CompressedTexture out;
   out.blocks.emplace();
   out.blocks->format = job.how.format;
@@ -308,7 +310,7 @@ CompressedTexture compress_texture(const BlockJob& job) {
       const ConstPixelsView8 above = job.pixels.view(job.texture, l - 1);
       shown = next_level(shown, above.width, above.height);
     }
-    out.report.push_back(compressed(job, l, shown, out.blocks->levels.emplace_back()));
+    out.report.push_back(compressed(job, measure, l, shown, out.blocks->levels.emplace_back()));
     const bool met = std::ranges::all_of(out.report.back().materials, &BlockMaterial::met);
     if (met || !job.how.falls_back) continue;
     out.blocks.reset();

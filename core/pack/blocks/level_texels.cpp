@@ -9,9 +9,9 @@
 
 namespace etak {
 
-LevelTexels::LevelTexels(const BlockJob& job, int level, const TexelsShown& shown)
+LevelTexels::LevelTexels(const BlockJob& job, const BlockMeasure& with, int level, const TexelsShown& shown)
     : uses(block_uses(job.decision, shown, job.page, job.texture, level, job.how.format->block_width)),
-      measure(job.texture, job.gloss, job.how.budget),
+      measure(with),
       job_(job),
       view_(job.pixels.view(job.texture, level)) {}
 
@@ -59,9 +59,7 @@ double LevelTexels::compare(std::size_t number, const std::array<std::uint8_t, 4
   const bool opaque = diffuse && material.alpha_mode == AlphaMode::opaque;
   const int cutoff = is_mask(owner) ? static_cast<int>(std::ceil(255 * material.alpha_cutoff)) : -1;
   // BC4 and BC5 go without an F0 that is one number of the material.
-  const BlockCode code = job_.how.format->code;
-  const bool f0_apart = (code == BlockCode::bc4 || code == BlockCode::bc5) &&
-                        has_constant_f0(job_.decision.left_out.fates[owner]);
+  const bool f0_apart = is_fitting(*job_.how.format) && has_constant_f0(job_.decision.left_out.fates[owner]);
   double out = 0;
   for (std::size_t i = 0; i < most_block_texels; ++i) {
     if ((from.counting >> i & 1) == 0) continue;

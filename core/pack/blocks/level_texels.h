@@ -24,10 +24,11 @@ struct BlockDifferences {
 /// The texels of one level of a page's texture, in blocks, and what of them counts.
 class LevelTexels {
  public:
-  LevelTexels(const BlockJob& job, int level, const TexelsShown& shown);
+  /// What is passed must outlive it.
+  LevelTexels(const BlockJob& job, const BlockMeasure& measure, int level, const TexelsShown& shown);
 
   const BlockUses uses;
-  const BlockMeasure measure;
+  const BlockMeasure& measure;
 
   /// A block's texels, with the weights of its channels. Beyond the edge of the level they repeat it and do not count.
   AnyBlock block(std::size_t number) const;

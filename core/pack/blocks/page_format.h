@@ -14,6 +14,11 @@ namespace etak {
 ///             else null
 const BlockFormat* fitting_format(const PackDecision& decision, int page);
 
+/// Whether a format is one of these, whose channels are compressed apart.
+constexpr bool is_fitting(const BlockFormat& format) {
+  return format.code == BlockCode::bc4 || format.code == BlockCode::bc5;
+}
+
 /// Whether a material needs no texture for F0.
 bool has_constant_f0(const MaterialFate& fate);
 

@@ -212,7 +212,7 @@ class ShadedPage {
     const Looks looks = looks_of(material);
     LastBlocks last;
     for (const std::size_t b : plane.owned[material]) {
-      // What is left of the window or above it has huge differences.
+      // What lies left of the window or above it gives differences beyond its sides, since they are unsigned.
       if (b % across - window.left >= window.width || b / across - window.top >= window.height) continue;
       each_read(plane, b, [&](std::size_t x, std::size_t y) {
         const Codes exact = codes(x, y, material, nullptr), held = codes(x, y, material, &last);
