@@ -61,7 +61,8 @@ Project new_project() {
 
 ViewState view_state_of(const Document& document, const Look& look,
                         std::shared_ptr<const Environment> environment,
-                        std::shared_ptr<const SurfaceTextures> textures) {
+                        std::shared_ptr<const SurfaceTextures> textures,
+                        std::shared_ptr<const SurfaceTextures> in_blocks) {
   ViewState out;
   const ProjectView& view = document.project().view;
   ProjectMaterial nothing;
@@ -84,6 +85,10 @@ ViewState view_state_of(const Document& document, const Look& look,
   if (engine != nullptr) {
     out.a = shown_as(*engine, std::move(out.a));
     if (&m != &nothing) out.a.label = m.name + ", " + std::string(out.a.specular->title);
+  }
+  if (out.a.textures && in_blocks) {
+    out.a.textures = std::move(in_blocks);
+    out.a.label += ", BC7";
   }
   if (!look.photograph.empty()) out.b.label = look.photograph;
   if (out.split) {

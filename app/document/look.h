@@ -14,6 +14,7 @@ namespace etak::editor {
 struct Look {
   double separator = 0.5;
   bool zone_overlay = false, energy_overlay = false, angle_overlay = false, textured = true;
+  bool in_blocks = false;  // textures of side A as BC7 holds them
   View camera;
   bool perspective = false;
   std::shared_ptr<const MeshShape> mesh;  // of the project's view; null until it has been loaded
@@ -36,8 +37,10 @@ Project new_project();
 /// The state of the viewport for the current material.
 ///   environment   the environment of the project's view; null until it has been loaded
 ///   textures      the textures of the current material; null until they have been loaded
+///   in_blocks     these for side A, as blocks hold them; null: as they are
 ViewState view_state_of(const Document& document, const Look& look,
                         std::shared_ptr<const Environment> environment,
-                        std::shared_ptr<const SurfaceTextures> textures);
+                        std::shared_ptr<const SurfaceTextures> textures,
+                        std::shared_ptr<const SurfaceTextures> in_blocks = nullptr);
 
 }  // namespace etak::editor

@@ -10,7 +10,7 @@ namespace etak::editor {
 const QStringList& screenshot_states() {
   static const QStringList states =
       QStringLiteral(
-          "default reflectance fresnel lobe shader textures light view compare wedge quad zone energy angles gamut library layers preview findings pack picture keys problem near drop mask empty glass water rim overcast sunset night backdrop ground exposure engine photograph mesh alone")
+          "default reflectance fresnel lobe shader textures light view compare wedge quad zone energy angles gamut library layers preview findings pack picture keys problem near drop mask empty glass water rim overcast sunset night backdrop ground exposure engine photograph mesh alone blocks")
           .split(' ');
   return states;
 }

@@ -205,6 +205,12 @@ void show_state(Window& window, const QString& state) {
          }
          window.tabs().setCurrentWidget(&window.texture_view());
        }},
+      {"blocks",
+       [&] {
+         show_state(window, "textures");
+         window.look().in_blocks = true;
+         window.inspector_tabs().setCurrentIndex(2);
+       }},
       {"light", [&] { window.inspector_tabs().setCurrentIndex(1); }},
       {"view", [&] { window.inspector_tabs().setCurrentIndex(2); }},
       {"compare",

@@ -101,7 +101,7 @@ class Window : public QMainWindow {
   /// Whether files are read or written, an environment is computed, or a picture is in work.
   bool is_busy() const {
     return busy_ > 0 || comparing_ > 0 || difference_timer_.isActive() || environment_coming_ ||
-           mesh_coming_ || refresh_timer_.isActive() || viewport_->is_drawing();
+           mesh_coming_ || blocks_coming_ || refresh_timer_.isActive() || viewport_->is_drawing();
   }
   /// Shows the viewport alone, without menus, panels and tabs, or the window as it was before.
   void show_viewport_only(bool on);
@@ -219,6 +219,8 @@ class Window : public QMainWindow {
   void choose_mesh();
   void take_mesh(const QString& file);
   void load_mesh();
+  /// The textures of the viewport as blocks hold them; null where that is not asked for, and until they are made.
+  std::shared_ptr<const SurfaceTextures> textures_in_blocks();
   void show_environment_work(bool on);
   void show_difference();
   void compare(const std::function<DifferencePicture()>& work,
@@ -249,7 +251,8 @@ class Window : public QMainWindow {
   Look look_;
   Worker io_;  // files are read and written one after the other
   Worker heavy_;
-  Worker comparer_;  // compares engines with the exact material
+  Worker comparer_;    // compares engines with the exact material
+  Worker compressor_;  // makes blocks of textures
   int busy_ = 0;
   int comparison_ = 0,
       comparing_ = 0;             // number of the last comparison, and how many of its parts are in work
@@ -269,7 +272,7 @@ class Window : public QMainWindow {
   CurvesPanel* curves_ = nullptr;
   QPlainTextEdit* shader_ = nullptr;
   QTabWidget *tabs_ = nullptr, *inspector_tabs_ = nullptr;
-  QLabel *backend_ = nullptr, *patch_ = nullptr, *work_ = nullptr, *pictures_ = nullptr;
+  QLabel *backend_ = nullptr, *patch_ = nullptr, *work_ = nullptr, *pictures_ = nullptr, *blocks_ = nullptr;
   PreviewBar* preview_bar_ = nullptr;
   ProblemStrip* problems_ = nullptr;
   QString previewed_;  // id of the library material in the preview
@@ -288,6 +291,8 @@ class Window : public QMainWindow {
   std::string environment_key_;
   std::string mesh_key_;
   bool mesh_coming_ = false;
+  std::shared_ptr<const SurfaceTextures> compressed_, in_blocks_;  // the last ones, before and after
+  bool blocks_coming_ = false;
   bool environment_coming_ = false;  // it or its sharper form
 };
 

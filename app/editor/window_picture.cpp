@@ -19,6 +19,7 @@
 #include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
 #include "core/image/load.h"
+#include "core/project/project_pictures.h"
 #include "core/render/engines.h"
 #include "core/render/ground_bounce.h"
 
@@ -62,6 +63,31 @@ LoadedEnvironment load(const LightSetup& lights, std::shared_ptr<const Image> pi
   return out;
 }
 
+QString told_of(const SurfaceInBlocks& made) {
+  const SurfaceTextures::Quantities& has = made.textures->has;
+  QStringList changes;
+  const auto add = [&](bool there, const QString& text, double change) {
+    if (there) changes << text.arg(change, 0, 'g', 3);
+  };
+  std::size_t bytes = 0, texels = 0;
+  bool met = true;
+  for (const BlockLevel& each : made.levels) {
+    bytes += each.bytes;
+    texels += each.texels;
+    const BlockMaterial& change = each.materials[0];
+    met = met && change.met;
+    if (each.level > 0) continue;
+    const bool body = each.texture == Texture::diffuse_alpha;
+    add(body ? has.diffuse : has.f0, body ? QObject::tr("diffuse \u0394E %1") : QObject::tr("F0 \u0394E %1"),
+        change.colour_p99);
+    add(body ? has.opacity : has.gloss, body ? QObject::tr("alpha %1 %") : QObject::tr("gloss %1 %"),
+        change.fourth_p99);
+  }
+  const auto size = [](std::size_t of) { return QLocale::c().formattedDataSize(static_cast<qint64>(of)); };
+  return (met ? QObject::tr("BC7: %1; %2 of %3") : QObject::tr("BC7 over its budget: %1; %2 of %3"))
+      .arg(changes.join(QLatin1String(", ")), size(bytes), size(4 * texels));
+}
+
 QString preview_told(const QString& name) {
   return QObject::tr("%1 of the library: Return adds it to the project, Esc ends the preview").arg(name);
 }
@@ -91,7 +117,7 @@ void Window::connect_viewport() {
   connect(&document_, &Document::view_changed, this, &Window::drop_old_patch);
   connect(&document_, &Document::replaced, this, &Window::drop_old_patch);
   connect(&document_, &Document::current_changed, view_panel_, &ViewPanel::show_look);
-  connect(texture_view_, &TextureView::textures_changed, this, soon);
+  connect(texture_view_, &TextureView::textures_changed, this, &Window::look_changed);
   connect(texture_view_, &TextureView::reading, this,
           [this](const QString& what) { pictures_->setText(what); });
   connect(new FileWatch(document_, this), &FileWatch::changed, this, [this](const QStringList& materials) {
@@ -197,9 +223,10 @@ void Window::refresh() {
   if (environment_coming_ && !environment_ &&
       find_studio(document_.project().view.lights.environment) != nullptr)
     return;
+  const auto in_blocks = textures_in_blocks();
   // A textured material is not drawn without its textures: the last picture stays until they are read.
   if (!texture_view_->is_waiting() || !look_.textured || look_.preview)
-    viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()),
+    viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures(), in_blocks),
                          qobject_cast<const QAbstractSlider*>(focusWidget()));
   // While the user drags, the processors draw pictures.
   if (viewport_->is_hurried())
@@ -207,6 +234,36 @@ void Window::refresh() {
   else
     show_difference();
   show_curves();
+}
+
+std::shared_ptr<const SurfaceTextures> Window::textures_in_blocks() {
+  const auto& exact = texture_view_->textures();
+  const bool wanted = look_.in_blocks && look_.textured && !look_.preview && exact && exact->has.values();
+  blocks_->setVisible(wanted);
+  if (!wanted || exact == compressed_) return wanted ? in_blocks_ : nullptr;
+  compressor_.clear();
+  compressed_ = exact;
+  in_blocks_.reset();
+  blocks_coming_ = true;
+  blocks_->setText(tr("compressing the textures\u2026"));
+  in_background(
+      compressor_, this,
+      [exact, m = *document_.material()] {
+        let_others_go_first();
+        std::pair<SurfaceInBlocks, QString> out;
+        out.second = failure_of([&] { out.first = surface_in_blocks(*exact, m); },
+                                tr("not enough memory for textures in blocks"));
+        if (out.second.isEmpty()) out.second = told_of(out.first);
+        return out;
+      },
+      [this, exact](const std::pair<SurfaceInBlocks, QString>& made) {
+        if (exact != compressed_) return;
+        blocks_coming_ = false;
+        in_blocks_ = made.first.textures;
+        blocks_->setText(made.second);
+        refresh_timer_.start();
+      });
+  return nullptr;
 }
 
 // Of several requests in a row, the last one counts.

@@ -101,9 +101,12 @@ void Window::make_view_bar(QWidget* parent) {
                of_look(tr("&Energy overlay"), tr("More light leaves than comes"), QKeySequence("Ctrl+2"),
                        &Look::energy_overlay),
                of_look(tr("Angle z&ones overlay"), tr("Seen at 45 to 75 degrees, and at more"),
-                       QKeySequence("Ctrl+3"), &Look::angle_overlay)};
+                       QKeySequence("Ctrl+3"), &Look::angle_overlay),
+               of_look(tr("Textures as &BC7"), {}, QKeySequence("Ctrl+5"), &Look::in_blocks)};
+  switches_.emplace_back(
+      [this, blocks = overlays_.back()] { show_blocks_switch(*blocks, document_.material()); });
   view_bar_->add_menu(
-      tr("Overlays"), tr("What is marked in the picture (Ctrl+1 to Ctrl+3), and the textures"),
+      tr("Overlays"), tr("What is marked in the picture (Ctrl+1 to Ctrl+3), and the textures (Ctrl+5)"),
       overlays_ + QList<QAction*>{of_look(tr("Show te&xtures"), tr("The material's textures, or its numbers"),
                                           {}, &Look::textured)});
   perspective_action_ = of_look(tr("Perspecti&ve camera"),

@@ -11,6 +11,7 @@
 #include "core/atlas/sources/sources.h"
 #include "core/base/files/file_stamp.h"
 #include "core/maps/map_evidence.h"
+#include "core/pack/blocks/compress_options.h"
 #include "core/project/project.h"
 #include "core/render/scene.h"
 
@@ -92,6 +93,19 @@ struct SurfacePicturesRead {
 SurfacePicturesRead read_surface_textures(const ProjectMaterial& material, const MaterialLibrary& library,
                                           const PictureDoor& door, int most_side, std::size_t most_texels = 0,
                                           const DecodedFiles& known = {});
+
+/// The textures of a material as a GPU samples them in BC7.
+///   textures   with the sizes, halves, emission and normal map of the exact ones
+///   levels     what became of those with diffuse colour and opacity and of those with F0 and gloss, the largest first. A
+///              texture that is one number has none
+struct SurfaceInBlocks {
+  std::shared_ptr<const SurfaceTextures> textures;
+  std::vector<BlockLevel> levels;
+};
+/// Compresses textures, each half from its own exact texels, as pack() tries first for "bc7" and the usual budget: where all
+/// levels are within it, that is what it writes.
+///   textures   of read_surface_textures()
+SurfaceInBlocks surface_in_blocks(const SurfaceTextures& textures, const ProjectMaterial& material);
 
 /// The texture that holds a channel: a colour in its first three channels, a number in the fourth.
 const Image& channel_image(const SurfaceTextures& textures, Channel channel);

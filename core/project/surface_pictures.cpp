@@ -5,11 +5,13 @@
 #include <limits>
 
 #include "core/atlas/sources/pictures.h"
+#include "core/atlas/texels/page_pixels.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/linear_tables.h"
 #include "core/image/load.h"
 #include "core/image/mean_squares.h"
+#include "core/pack/blocks/compress_page.h"
 #include "core/project/project_pictures.h"
 #include "core/render/surface_textures.h"
 
@@ -122,7 +124,54 @@ void set_others(const ProjectMaterial& material, const PictureReading& reading, 
   out.has.normal = out.normal.width > 0;
 }
 
+// A texture as blocks hold it: it is compressed as a page of an atlas that holds nothing else.
+//   to   gets what became of it
+Image in_blocks(const Image& exact, Texture texture, const ProjectMaterial& of, int level,
+                std::vector<BlockLevel>& to) {
+  PackDecision decision;
+  decision.regions.emplace_back().box = {0, 0, exact.width, exact.height};
+  decision.plan.places.emplace_back();
+  decision.plan.pages.push_back({exact.width, exact.height});
+  std::vector<PackInput> inputs(1);
+  inputs[0].alpha_mode = of.alpha_mode;
+  inputs[0].alpha_cutoff = of.alpha_cutoff;
+  PagePixels pixels;
+  pixels.start(decision.plan.pages[0], 1);
+  std::uint8_t* const codes = pixels.view(texture).data;
+  const LinearTables& tables = linear_tables();
+  for (std::size_t i = 0; i < exact.values.size(); ++i)
+    codes[i] = i % 4 < 3 ? tables.srgb_code(exact.values[i]) : to_code(exact.values[i]);
+  CompressOptions how = compress_word("bc7");
+  how.once = true;
+  CompressedTexture made =
+      compress_texture({decision, inputs, 0, texture, pixels, {}, GlossForm::schueler, how, {}, 1});
+  to.push_back(std::move(made.report[0]));
+  to.back().level = level;
+  const Image8 held = level_of(made.blocks->levels[0], how.format, exact.width, exact.height);
+  Image out(exact.width, exact.height, 4);
+  for (std::size_t i = 0; i < out.values.size(); ++i)
+    out.values[i] = i % 4 < 3 ? tables.srgb[held.values[i]] : static_cast<float>(held.values[i]) / 255;
+  return out;
+}
+
+std::shared_ptr<const SurfaceTextures> in_blocks(const SurfaceTextures& exact, const ProjectMaterial& of,
+                                                 int level, std::vector<BlockLevel>& to) {
+  auto out = std::make_shared<SurfaceTextures>(exact);
+  if (exact.has.diffuse || exact.has.opacity)
+    out->body = in_blocks(exact.body, Texture::diffuse_alpha, of, level, to);
+  if (exact.has.f0 || exact.has.gloss)
+    out->gloss = in_blocks(exact.gloss, Texture::specular_gloss, of, level, to);
+  if (exact.half) out->half = in_blocks(*exact.half, of, level + 1, to);
+  return out;
+}
+
 }  // namespace
+
+SurfaceInBlocks surface_in_blocks(const SurfaceTextures& textures, const ProjectMaterial& material) {
+  SurfaceInBlocks out;
+  out.textures = in_blocks(textures, material, 0, out.levels);
+  return out;
+}
 
 std::optional<Image> light_picture(const ProjectMaterial& material, Channel channel,
                                    const PictureDoor& door) {

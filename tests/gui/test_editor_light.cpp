@@ -5,11 +5,13 @@
 #include <QLabel>
 #include <QToolButton>
 #include <filesystem>
+#include <random>
 
 #include "app/document/look.h"
 #include "app/editor/panels/inspector/inspector.h"
 #include "app/editor/panels/inspector/texture_section.h"
 #include "app/editor/panels/texture_view.h"
+#include "app/editor/panels/view_panel.h"
 #include "app/fields/color_field.h"
 #include "app/fields/number_field.h"
 #include "tests/gui/editor_hands.h"
@@ -309,6 +311,61 @@ class EditorLight : public QObject {
     put_texture(window, Channel::diffuse, window.file(QStringLiteral("gone.png")));
     QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().a.textures == nullptr; }, long_ms));
     QVERIFY(!window->texture_view().is_waiting());
+  }
+
+  void textures_as_bc7_change_noise_and_no_flat_picture_and_are_gone_at_once() {
+    TestWindow window(true);
+    show_active(window);
+    QVERIFY(window->use_library_material(QStringLiteral("chalk")));
+    QVERIFY(window.settle(long_ms));
+    auto* box = named<QCheckBox>(window->view_panel(), QStringLiteral("textures as BC7"));
+    auto* told = named<QLabel>(*window.window, QStringLiteral("What BC7 changes"));
+    QAction* action = action_named(*window.window, QStringLiteral("Textures as BC7"));
+    const auto press = [&] { QTest::keyClick(window.window.get(), Qt::Key_5, Qt::ControlModifier); };
+    press();
+    QVERIFY(!window->look().in_blocks && !box->isEnabled() && !action->isEnabled());
+    for (const QString& tip : {box->toolTip(), action->toolTip()})
+      QVERIFY2(tip.contains(QLatin1String("has no picture")), qPrintable(tip));
+    QImage noise(128, 128, QImage::Format_RGB32);
+    std::mt19937 random(5);
+    for (int y = 0; y < noise.height(); ++y)
+      for (int x = 0; x < noise.width(); ++x)
+        noise.setPixel(x, y, qRgb(random() % 256, random() % 256, random() % 256));
+    noise.save(window.file(QStringLiteral("noise.png")));
+    picture_of_tiles(window, QStringLiteral("flat.png"), 128);
+    for (const QString& name : {QStringLiteral("flat.png"), QStringLiteral("noise.png")}) {
+      put_texture(window, Channel::diffuse, window.file(name));
+      const auto shown = [&] { return window->viewport().state().a.textures; };
+      const auto before = shown();
+      QVERIFY(QTest::qWaitFor([&] { return shown() != before; }, long_ms));
+      QVERIFY(window.settle(long_ms));
+      QVERIFY(box->isEnabled() && action->isEnabled() && !box->isChecked());
+      QVERIFY2(!action->toolTip().contains(QLatin1String("has no picture")), qPrintable(action->toolTip()));
+      const auto exact = shown();
+      const QImage picture = window->viewport().grab_picture();
+      press();
+      QVERIFY(QTest::qWaitFor([&] { return shown() != exact; }, long_ms));
+      QVERIFY(window.settle(long_ms));
+      const bool flat = name.startsWith(QLatin1String("flat"));
+      QVERIFY2(told->text().startsWith(flat ? QStringLiteral("BC7: diffuse \u0394E 0; ")
+                                            : QStringLiteral("BC7 over its budget: diffuse \u0394E ")),
+               qPrintable(told->text()));
+      QCOMPARE(window->viewport().grab_picture() == picture, flat);
+      QVERIFY(window->viewport().state().b.textures == exact);
+      // Turned off and on, nothing is waited for.
+      const auto held = shown();
+      const auto turn = [&] {
+        box->click();
+        QTest::qWait(1);
+        return shown();
+      };
+      QVERIFY(turn() == exact);
+      QVERIFY(told->isHidden());
+      QCOMPARE(window->viewport().grab_picture(), picture);
+      QVERIFY(turn() == held);
+      QVERIFY(turn() == exact);
+      QVERIFY(window.settle(long_ms));
+    }
   }
 
   void a_large_environment_is_shown_soon_and_sharper_later_with_a_sign_of_work() {

@@ -97,6 +97,7 @@ void ViewBar::add_menu(const QString& title, const QString& tip, const QList<QAc
   out->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(title, out);
   menu->setAccessibleName(title);
+  menu->setToolTipsVisible(true);
   menu->addActions(actions);
   out->setMenu(menu);
   layout()->addWidget(out);

@@ -246,6 +246,8 @@ void ViewPanel::make_shape() {
   overlays_.in(section);
   overlays_.check({tr("show textures"), "", tr("The textures of the material, or its numbers alone")},
                   &Look::textured);
+  auto* blocks = overlays_.check({tr("textures as BC7"), "", ""}, &Look::in_blocks);
+  overlays_.shows({}, {}, [=, this](const Look&) { show_blocks_switch(*blocks, document_.material()); });
   overlays_.check(
       {tr("forbidden zone overlay"), "",
        tr("Marks F0 of a luminance between 0.20 and 0.45, where few real materials are (Ctrl+1)")},

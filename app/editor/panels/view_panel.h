@@ -4,6 +4,7 @@
 #include "app/document/look.h"
 #include "app/editor/panels/inspector/fields_of.h"
 #include "app/viewport/background.h"
+#include "core/project/project_pictures.h"
 #include "core/render/engines.h"
 
 namespace etak::editor {
@@ -16,6 +17,16 @@ inline auto stops_of_exposure() {
 }
 
 class DifferenceMap;
+
+/// Shows whether a switch of Look::in_blocks can be used, and why not.
+template <class Switch>
+void show_blocks_switch(Switch& of, const ProjectMaterial* material) {
+  of.setEnabled(material != nullptr && has_packed_textures(*material));
+  of.setToolTip(
+      of.isEnabled()
+          ? QObject::tr("What BC7 leaves of the textures; Space, held, and side B show them exact (Ctrl+5)")
+          : QObject::tr("The material has no picture of diffuse colour, alpha, F0 or gloss to compress"));
+}
 
 /// The tone curves of the plain display, and the titles that the registry gives them.
 inline constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like, Tone::filament,

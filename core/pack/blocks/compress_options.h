@@ -30,10 +30,11 @@ BlockBudget parse_block_budget(const std::string& text);
 ///   format       BC7 or ASTC, of square blocks; null: they stay RGBA8
 ///   falls_back   textures of a page on which some material does not keep to the budget stay RGBA8 all the same
 ///   fits         F0 and gloss are in BC4 or BC5 on pages on which that holds all that materials read (fitting_format())
+///   once         blocks by which a material misses the budget are not tried again
 ///   effort       of the first try, as encode_blocks() and AstcEncoding have it
 struct CompressOptions {
   const BlockFormat* format = nullptr;
-  bool falls_back = false, fits = false;
+  bool falls_back = false, fits = false, once = false;
   BlockBudget budget;
   int effort = 2;
 };

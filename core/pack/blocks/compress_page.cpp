@@ -257,6 +257,7 @@ BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int numb
                       std::string& bytes) {
   LevelInBlocks level(job, measure, number, shown);
   std::vector<BlockTry> tries = tries_of(job.how);
+  if (job.how.once) tries.resize(1);
   level.encode(tries[0]);
   ByMaterial spreads = level.measure();
   std::vector<bool> misses = missing(level, spreads);

@@ -7,7 +7,7 @@
 #include "core/image/files/png.h"
 #include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
-#include "tests/core/atlas/pack_support.h"
+#include "tests/core/atlas/blocks_support.h"
 
 using namespace etak;
 using namespace etak::test;
@@ -113,6 +113,53 @@ TEST_CASE("textures for the viewport hold the channels that have a picture") {
       CHECK(seen.gloss.width == ((textured & 6) != 0 ? kept_side : 1));
     }
   }
+}
+
+TEST_CASE(
+    "textures in blocks are those that pack() writes within the budget, with halves of their own, and flat ones stay") {
+  const TempFolder folder;
+  const std::string manifest = manifest_of({blocks_material(folder, "a", 64, 64, 1, 0)});
+  const PackResult packed = pack_text(folder, manifest, in_blocks("bc7", {"ktx2"}));
+  ProjectMaterial m;
+  m.name = "a";
+  for (const Channel channel : {Channel::diffuse, Channel::specular, Channel::gloss})
+    m.texture(channel) = ImageSource{folder.file("a_" + std::string(name(channel)) + ".png"), "", ""};
+  const SurfaceTextures exact = read_surface_textures(m, built_in_library(), {}, 1024).textures;
+  const SurfaceInBlocks held = surface_in_blocks(exact, m);
+  for (const Texture texture : both_textures) {
+    const Image8 page = ktx2_page(folder, std::string(name(texture))).levels[0];
+    REQUIRE((page.width == 64 && page.height == 64));
+    const Channel colour = texture == Texture::diffuse_alpha ? Channel::diffuse : Channel::specular,
+                  fourth = texture == Texture::diffuse_alpha ? Channel::alpha : Channel::gloss;
+    const Image8 colours = channel_picture(*held.textures, colour),
+                 numbers = channel_picture(*held.textures, fourth);
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < page.pixel_count(); ++i) {
+      others += numbers.values[3 * i] != page.values[4 * i + 3];
+      for (std::size_t c = 0; c < 3; ++c) others += colours.values[3 * i + c] != page.values[4 * i + c];
+    }
+    CHECK(others == 0);
+    CHECK(colours != channel_picture(exact, colour));
+    const auto is = [&](const BlockLevel& each) { return each.level == 0 && each.texture == texture; };
+    const auto there = std::ranges::find_if(packed.blocks, is), here = std::ranges::find_if(held.levels, is);
+    CHECK(here->materials[0].colour_p99 == there->materials[0].colour_p99);
+    CHECK(here->materials[0].fourth_p99 == there->materials[0].fourth_p99);
+    CHECK(here->materials[0].met);
+    CHECK(here->bytes == std::size_t{64 * 64});
+  }
+  // A half is compressed as it is where it is all that there is.
+  const SurfaceInBlocks half = surface_in_blocks(*exact.half, m);
+  CHECK(held.textures->half->body == half.textures->body);
+  CHECK(held.textures->half->half->gloss == half.textures->half->gloss);
+  CHECK(held.levels.back().level == 4);
+  CHECK(held.levels.back().texels == 16);
+  save_png(m.texture(Channel::diffuse)->path, Image8(64, 64, 3, 91));
+  m.texture(Channel::specular).reset();
+  m.texture(Channel::gloss).reset();
+  const SurfaceTextures flat = read_surface_textures(m, built_in_library(), {}, 1024).textures;
+  const SurfaceInBlocks same = surface_in_blocks(flat, m);
+  CHECK(same.textures->body == flat.body);
+  CHECK(same.levels.size() == 5);
 }
 
 TEST_CASE("emission and occlusion are a texture of their own, of another size than the packed ones") {

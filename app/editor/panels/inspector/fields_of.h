@@ -88,7 +88,7 @@ class FieldsOf {
 
   ///   column   to which it is added in place of the section
   template <class Part>
-  void check(FieldText text, const Part& part, QBoxLayout* column = nullptr) {
+  QCheckBox* check(FieldText text, const Part& part, QBoxLayout* column = nullptr) {
     auto* field = new QCheckBox(column != nullptr ? column->parentWidget() : section_);
     field->setText(label(text));
     field->setToolTip(text.tip);
@@ -99,6 +99,7 @@ class FieldsOf {
       section_->add(field);
     connect(field, &QCheckBox::clicked, text, part);
     shows({}, {}, [=](const Value& v) { field->setChecked(got(part, v)); });
+    return field;
   }
 
   /// Three boxes for x, y and z.
