@@ -6,9 +6,9 @@
 #include <cmath>
 #include <memory>
 
+#include "core/base/crew.h"
 #include "core/color/luminance.h"
 #include "core/color/srgb.h"
-#include "core/judge/pixels/crew.h"
 #include "core/judge/pixels/tile_frame.h"
 
 namespace etak {

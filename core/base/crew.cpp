@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/judge/pixels/crew.h"
+#include "core/base/crew.h"
 
 #include "core/base/parallel.h"
 
