@@ -8,8 +8,8 @@
 #include "core/base/files/paths.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/image/blocks/budget.h"
 #include "core/image/files/containers.h"
-#include "core/pack/blocks/budget.h"
 #include "core/pack/pack.h"
 
 namespace etak {

@@ -8,19 +8,11 @@
 #include <vector>
 
 #include "core/image/blocks/blocks.h"
+#include "core/image/blocks/budget.h"
 #include "core/image/channels.h"
 #include "core/image/image.h"
 
 namespace etak {
-
-/// What compression may change of a material: the 99th percentile over the texels that it reads, level by level.
-///   diffuse, f0   CIEDE2000
-///   gloss         percent of the exponent
-///   alpha         percent of coverage; of materials with a mask no texel may change sides, whatever this says
-struct BlockBudget {
-  double diffuse = 1, f0 = 1, gloss = 10, alpha = 0.5;
-  friend bool operator==(const BlockBudget&, const BlockBudget&) = default;
-};
 
 /// Reads "2" (twice the usual budget) or a list such as "gloss=5,alpha=1", which keeps what it does not name. Throws
 /// Error that names the setting.

@@ -9,8 +9,8 @@
 
 #include "core/atlas/texels/page_pixels.h"
 #include "core/base/parallel.h"
+#include "core/image/blocks/budget.h"
 #include "core/pack/blocks/block_codec.h"
-#include "core/pack/blocks/budget.h"
 #include "core/pack/blocks/level_texels.h"
 #include "core/pack/blocks/page_format.h"
 
@@ -21,7 +21,7 @@ using Texel = std::array<std::uint8_t, 4>;
 
 // Differences of a material's texels.
 struct Spreads {
-  Spread colour, fourth;
+  TexelSpread colour, fourth;
   explicit Spreads(const BlockMeasure& measure)
       : colour(measure.colour_budget() / 100), fourth(measure.fourth_budget() / 100) {}
 };
@@ -93,7 +93,8 @@ class LevelInBlocks {
     const ByMaterial after = measure(some);
     bytes_ = bytes;
     excess_ = excess;
-    const auto left = [](const Spread& all, const Spread& was, const Spread& is, double budget) {
+    const auto left = [](const TexelSpread& all, const TexelSpread& was, const TexelSpread& is,
+                         double budget) {
       const auto part = static_cast<double>(is.above(budget)) /
                         static_cast<double>(std::max<std::uint64_t>(1, was.above(budget)));
       return part * static_cast<double>(all.above(budget)) > 0.02 * static_cast<double>(all.count());

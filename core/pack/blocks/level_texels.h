@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/image/blocks/budget.h"
 #include "core/image/pixels_view.h"
 #include "core/pack/blocks/block_uses.h"
-#include "core/pack/blocks/budget.h"
 #include "core/pack/blocks/compress_page.h"
 
 namespace etak {

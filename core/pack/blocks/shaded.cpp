@@ -12,12 +12,12 @@
 #include "core/brdf/models.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/image/blocks/budget.h"
 #include "core/image/flip.h"
 #include "core/light/lights.h"
 #include "core/math/functions.h"
 #include "core/pack/blocks/block_codec.h"
 #include "core/pack/blocks/block_uses.h"
-#include "core/pack/blocks/budget.h"
 
 namespace etak {
 namespace {
@@ -144,7 +144,7 @@ class ShadedPage {
       each_read(plane, b, [&](std::size_t, std::size_t) { ++total; });
     const Looks looks = looks_of(material);
     LastBlocks last;
-    Spread spread(0.01);
+    TexelSpread spread(0.01);
     const std::size_t count = std::min(total, most_shaded_texels);
     for (const std::size_t b : plane.owned[material])
       each_read(plane, b, [&](std::size_t x, std::size_t y) {

@@ -8,8 +8,8 @@
 
 #include "core/base/number.h"
 #include "core/image/astc_codec.h"
+#include "core/image/blocks/budget.h"
 #include "core/pack/blocks/block_codec.h"
-#include "core/pack/blocks/budget.h"
 #include "core/study/families/families.h"
 #include "core/study/made_pages.h"
 #include "core/study/measure.h"
@@ -65,7 +65,7 @@ std::vector<AnyBlock> blocks_of(const Image8& page, const BlockFormat& format, c
 
 // What a way makes of a page: colour in dE2000, and the fourth channel in percent.
 struct BlockErrors {
-  Spread colour{0.01}, fourth{0.05};
+  TexelSpread colour{0.01}, fourth{0.05};
   double colour_sum = 0, fourth_sum = 0;
 };
 

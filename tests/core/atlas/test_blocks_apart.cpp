@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/files/paths.h"
-#include "core/pack/blocks/budget.h"
+#include "core/image/blocks/budget.h"
 #include "core/validate/files/load.h"
 #include "tests/core/atlas/blocks_support.h"
 
@@ -35,7 +35,7 @@ TextureFile file_of(const TempFolder& folder, const std::string& name) {
 }  // namespace
 
 TEST_CASE("a percentile of block errors counts texels by how much of them triangles read") {
-  Spread spread(0.01);
+  TexelSpread spread(0.01);
   for (int i = 0; i < 980; ++i) spread.add(0.5, 255);
   for (int i = 0; i < 20; ++i) spread.add(3, 100);  // 2 % of the texels, 0.8 % of what is read
   CHECK(spread.count() == 980 * 255 + 20 * 100);

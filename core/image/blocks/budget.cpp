@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/pack/blocks/budget.h"
+#include "core/image/blocks/budget.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,55 +7,12 @@
 #include <numeric>
 #include <type_traits>
 
-#include "core/base/error.h"
-#include "core/base/number.h"
-#include "core/base/setting.h"
-#include "core/base/text/text.h"
 #include "core/color/srgb.h"
 #include "core/math/functions.h"
 
 namespace etak {
 
-BlockBudget parse_block_budget(const std::string& text) {
-  const auto fail = [&](std::string_view part) {
-    throw Error::at(
-        setting("block-error"), in_quotes(part),
-        "a number above 0, or some of diffuse, f0, gloss and alpha, each once, as diffuse=1,gloss=10");
-  };
-  BlockBudget out;
-  double factor = 1;
-  if (parse_number(text, factor)) {
-    if (factor <= 0) fail(text);
-    return {factor * out.diffuse, factor * out.f0, factor * out.gloss, factor * out.alpha};
-  }
-  const std::pair<std::string_view, double*> parts[]{
-      {"diffuse", &out.diffuse}, {"f0", &out.f0}, {"gloss", &out.gloss}, {"alpha", &out.alpha}};
-  std::vector<std::string> seen;
-  if (text.empty() || text.back() == ',') fail(text);
-  for (const std::string& each : parts_of(text, ',')) {
-    const std::size_t at = each.find('=');
-    const std::string name = each.substr(0, at);
-    const auto* const part = std::ranges::find(parts, name, &std::pair<std::string_view, double*>::first);
-    if (at == each.npos || part == std::end(parts) || std::ranges::find(seen, name) != seen.end()) fail(each);
-    if (!parse_number(std::string_view(each).substr(at + 1), *part->second) || *part->second <= 0) fail(each);
-    seen.push_back(name);
-  }
-  return out;
-}
-
-CompressOptions compress_word(std::string_view word) {
-  CompressOptions out;
-  if (word == "none") return out;
-  out.falls_back = word == "auto" || word == "astc";
-  out.fits = word == "auto";
-  std::string name = "BC7";
-  if (word == "astc") name = "ASTC 4x4";
-  if (word.starts_with("astc:")) name = "ASTC " + std::string(word.substr(5));
-  out.format = block_format_named(name);
-  return out;
-}
-
-void Spread::add(double difference, std::uint8_t share) {
+void TexelSpread::add(double difference, std::uint8_t share) {
   // Differences beyond the last bin are told as the largest.
   const auto bin =
       static_cast<std::size_t>(std::min(static_cast<double>(bin_count - 1), std::ceil(difference / unit_)));
@@ -64,13 +21,13 @@ void Spread::add(double difference, std::uint8_t share) {
   largest_ = std::max(largest_, difference);
 }
 
-void Spread::add(const Spread& other) {
+void TexelSpread::add(const TexelSpread& other) {
   for (std::size_t b = 0; b < bins_.size(); ++b) bins_[b] += other.bins_[b];
   count_ += other.count_;
   largest_ = std::max(largest_, other.largest_);
 }
 
-double Spread::percentile_99() const {
+double TexelSpread::percentile_99() const {
   std::uint64_t left = count_ - count_ / 100;
   for (std::size_t b = 0; b + 1 < bins_.size(); ++b) {
     if (bins_[b] >= left) return std::min(largest_, static_cast<double>(b) * unit_);
@@ -79,7 +36,7 @@ double Spread::percentile_99() const {
   return largest_;
 }
 
-std::uint64_t Spread::above(double difference) const {
+std::uint64_t TexelSpread::above(double difference) const {
   const auto first =
       std::min(static_cast<std::ptrdiff_t>(std::lround(difference / unit_)) + 1, std::ssize(bins_));
   return std::accumulate(bins_.begin() + first, bins_.end(), std::uint64_t{0});

@@ -10,18 +10,26 @@
 #include "core/color/gloss.h"
 #include "core/image/blocks/astc_door.h"
 #include "core/image/material_pair.h"
-#include "core/pack/blocks/compress_options.h"
 
 namespace etak {
 
+/// What compression may change of a material: the 99th percentile over the texels that it reads, level by level.
+///   diffuse, f0   CIEDE2000
+///   gloss         percent of the exponent
+///   alpha         percent of coverage; of materials with a mask no texel may change sides, whatever this says
+struct BlockBudget {
+  double diffuse = 1, f0 = 1, gloss = 10, alpha = 0.5;
+  friend bool operator==(const BlockBudget&, const BlockBudget&) = default;
+};
+
 /// Differences of many texels, counted by how much of each is read: the same for any order in which they are added.
-class Spread {
+class TexelSpread {
  public:
   /// `unit` is the width of the bins, by which a percentile is exact.
-  explicit Spread(double unit) : unit_(unit), bins_(bin_count) {}
+  explicit TexelSpread(double unit) : unit_(unit), bins_(bin_count) {}
   ///   share   how much of the texel is read, above 0; the same unit for all
   void add(double difference, std::uint8_t share = 1);
-  void add(const Spread& other);
+  void add(const TexelSpread& other);
   std::uint64_t count() const { return count_; }
   double largest() const { return largest_; }
   /// The least difference, rounded up to a whole bin, that 99 % of the texels do not exceed.
