@@ -26,6 +26,12 @@ inline std::string path_ending(std::string_view path) {
   return dot == path.npos || dot <= name ? "" : lower_case(path.substr(dot + 1));
 }
 
+/// The path without that ending and its dot.
+inline std::string_view without_ending(std::string_view path) {
+  const std::size_t ending = path_ending(path).size();
+  return ending == 0 ? path : path.substr(0, path.size() - ending - 1);
+}
+
 inline bool has_picture_ending(std::string_view path) {
   return std::ranges::find(picture_endings, path_ending(path)) != picture_endings.end();
 }

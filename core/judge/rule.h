@@ -30,6 +30,7 @@ enum class Need : std::uint32_t {
   maps = 1u << 10,        // normal, occlusion and emissive maps, which have a pass of their own
   wide = 1u << 11,        // the codes of pictures of 16 bits, as their files have them
   edges = 1u << 12,       // how pictures continue beside themselves, where a limit asks for it
+  sources = 1u << 13,     // pictures that textures in blocks were made of
 };
 
 /// A set of needs.

@@ -91,7 +91,8 @@ struct CheckTarget {
   Manifest manifest;
   std::string udim = {};  // of a tile: the label with <UDIM> in the place of its number, equal for all tiles
   std::string tile = {};  // "1001"
-  // Files of other targets that the maps of this one are held against: base colour, roughness, gloss.
+  // Files of other targets that the maps of this one are held against: base colour, roughness, gloss; and the pictures that
+  // its textures in blocks were made of, or blocks that were made of its own.
   std::vector<TargetFile> beside = {};
   friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
 

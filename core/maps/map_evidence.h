@@ -102,6 +102,17 @@ struct MapEvidence {
   bool packed = false;  // a channel of a picture that holds roughness or metallic too
 };
 
+/// What compression has changed of a texture in blocks, by the picture beside it: 99th percentiles over its texels.
+///   source     label of that picture
+///   colour     CIEDE2000 of colours or F0
+///   exponent   percent of the exponent of gloss or roughness. Codes that differ by one count as equal, because 8 bits alone
+///              round as much
+///   degrees    between normals
+struct BlockLoss {
+  std::string label, blocks, source;
+  std::optional<double> colour, exponent, degrees;
+};
+
 /// What is wrong with a normal map as a whole. The first that is true stands for what follows from it, so
 /// that lengths are not blamed on a map that was stored by a curve.
 enum class NormalDamage { none, empty, constant, height, encoded, jpeg, shrunk };

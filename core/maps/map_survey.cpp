@@ -7,9 +7,11 @@
 #include <bitset>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/image/blocks/budget.h"
 #include "core/maps/jpeg_comb.h"
 #include "core/maps/other_content.h"
 #include "core/math/functions.h"
@@ -326,6 +328,19 @@ MapEvidence with_size(MapEvidence map, const PictureHeader& header, FileRole rol
   return map;
 }
 
+//   two_channels   z follows from x and y
+double degrees_between(const std::array<std::uint8_t, 4>& a, const std::array<std::uint8_t, 4>& b,
+                       bool two_channels) {
+  const auto normal = [&](const std::array<std::uint8_t, 4>& code) {
+    Vec3 out{2.0 * code[0] - 255, 2.0 * code[1] - 255, 2.0 * code[2] - 255};
+    if (two_channels) out[2] = std::sqrt(std::max(0.0, 255.0 * 255 - out[0] * out[0] - out[1] * out[1]));
+    return out;
+  };
+  const Vec3 from = normal(a), to = normal(b);
+  const double cosine = dot(from, to) / std::sqrt(dot(from, from) * dot(to, to));
+  return math::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
 }  // namespace
 
 MapEvidence survey_normals(RowSource& normals, const BesideNormals& beside) {
@@ -370,6 +385,47 @@ MapEvidence survey_grey(RowSource& source, FileRole role, RowSource* alpha) {
         out.grey.texels += texels;
       });
   return with_size(std::move(out), header, role);
+}
+
+BlockLoss survey_loss(RowSource& blocks, RowSource& source, FileRole role, std::optional<GlossPlace> gloss) {
+  const PictureHeader header = blocks.header();
+  const bool is_f0 = role == FileRole::specular_gloss || role == FileRole::f0_only;
+  const bool has_colour = !header.floating && !source.header().floating &&
+                          (is_f0 || role == FileRole::diffuse_alpha || role == FileRole::base_color ||
+                           role == FileRole::emissive);
+  const GlossForm form = is_f0                      ? GlossForm::schueler
+                         : gloss && gloss->is_gloss ? GlossForm::one_minus_roughness
+                                                    : GlossForm::roughness;
+  if (!has_colour && !gloss && role != FileRole::normal) return {};
+  const BlockMeasure measure(Texture::specular_gloss, form, {});
+  const bool two_channels = header.blocks == "BC5";
+  TexelSpread colour(0.05), exponent(1), degrees(0.1);
+  MapRows held(&blocks), exact(&source);
+  for_each_band(
+      header,
+      [&](int rows) {
+        held.read(rows);
+        exact.read(rows);
+      },
+      [&](int rows) {
+        const std::size_t texels = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(rows);
+        for (std::size_t i = 0; i < texels; ++i) {
+          std::array<std::uint8_t, 4> from{}, to{};
+          std::memcpy(from.data(), exact.codes() + 4 * i, from.size());
+          std::memcpy(to.data(), held.codes() + 4 * i, to.size());
+          if (has_colour && (is_f0 || from[3] != 0)) colour.add(measure.colour(from, to));
+          if (role == FileRole::normal) degrees.add(degrees_between(from, to, two_channels));
+          if (!gloss) continue;
+          const std::uint8_t was = from[gloss->channel], is = to[gloss->channel];
+          exponent.add(std::abs(was - is) <= 1 ? 0 : measure.fourth(was, is, -1));
+        }
+      });
+  BlockLoss out;
+  out.blocks = header.blocks;
+  if (has_colour) out.colour = colour.percentile_99();
+  if (gloss) out.exponent = exponent.percentile_99();
+  if (role == FileRole::normal) out.degrees = degrees.percentile_99();
+  return out;
 }
 
 }  // namespace etak

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "core/image/picture.h"
 #include "core/maps/map_evidence.h"
@@ -35,5 +36,10 @@ MapEvidence survey_normals(RowSource& normals, const BesideNormals& beside);
 /// Surveys an occlusion map (its first channel) or an emissive map (the largest of its colours).
 ///   alpha   the base colour beside an emissive map, of its size; null: none
 MapEvidence survey_grey(RowSource& map, FileRole role, RowSource* alpha);
+
+/// Surveys a texture in blocks in step with the picture of its size that it was made of. Labels are not filled in.
+///   gloss   where both hold gloss or roughness; that of F0 is Schueler's. Colours that are floats are not compared,
+///           nor those under alpha 0, of which encoders make what they like
+BlockLoss survey_loss(RowSource& blocks, RowSource& source, FileRole role, std::optional<GlossPlace> gloss);
 
 }  // namespace etak

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "core/base/text/ascii.h"
+#include "core/image/load.h"
+#include "core/image/picture_endings.h"
 
 namespace etak {
 namespace {
@@ -288,6 +290,26 @@ std::vector<std::vector<NamedPicture*>> numbered_groups(std::vector<NamedPicture
   return out;
 }
 
+// Puts a texture for a GPU and the picture that it may have been made of beside each other, in the first set that judges one.
+void put_sources_beside(std::span<NamedPicture> same, std::vector<PictureSet>& sets) {
+  const auto key = [](const NamedPicture& each) {
+    return std::pair(without_ending(each.path), each.name.role);
+  };
+  std::map<std::pair<std::string_view, FileRole>, NamedPicture*> sources;
+  for (NamedPicture& each : same)
+    if (!is_gpu_texture(path_ending(each.path))) sources.emplace(key(each), &each);
+  for (NamedPicture& blocks : same) {
+    const auto source = sources.find(key(blocks));
+    if (source == sources.end() || source->second == &blocks) continue;
+    for (PictureSet& set : sets) {
+      const bool has_blocks = std::ranges::count(set.members, &blocks) > 0,
+                 has_source = std::ranges::count(set.members, source->second) > 0;
+      if (has_blocks != has_source) set.beside.push_back(has_blocks ? source->second : &blocks);
+      if (has_blocks || has_source) break;
+    }
+  }
+}
+
 }  // namespace
 
 std::string_view name(ListedAs as) {
@@ -350,6 +372,7 @@ std::vector<PictureSet> sets_of(std::span<NamedPicture> same) {
     for (std::vector<NamedPicture*>& group : numbered_groups(std::move(form)))
       for (PictureSet& set : SetMaker(std::move(group)).run()) out.push_back(std::move(set));
   });
+  put_sources_beside(same, out);
   return out;
 }
 

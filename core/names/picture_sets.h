@@ -44,7 +44,8 @@ std::optional<NamedPicture> picture_named(const NameReader& reader, const std::s
 /// Pictures that are judged together, or that would be if their companion were there.
 ///   missing   what is missing, for ETK002: "a base colour without roughness"; empty: the set is whole, or
 ///             the rule itself sees what is missing
-///   beside    of a set of maps: what they are held against, and what is judged with another set
+///   beside    of a set of maps: what they are held against, and what is judged with another set; of any set the pictures
+///             that its textures for a GPU may have been made of, or the other way round
 struct PictureSet {
   std::vector<NamedPicture*> members;
   std::string missing;

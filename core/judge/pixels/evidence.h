@@ -201,6 +201,7 @@ struct Evidence {
   std::vector<PictureEvidence> headers;  // every picture file of the target, for the rules on headers
   std::vector<MapEvidence> maps;
   std::vector<PictureLook> looks;
+  std::vector<BlockLoss> losses;  // of textures in blocks that the pictures they were made of lie beside
   std::optional<MaterialEvidence> material;
   std::vector<DocumentSurface> surfaces;
   std::optional<SceneFacts> scene;      // where a limit asks for it

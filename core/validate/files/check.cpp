@@ -209,6 +209,7 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
       return;
     }
     look_at_pictures(target, door, own, evidence);
+    if (severity_of(*find_rule("ETK019"), own) != Severity::off) evidence.losses = losses_of(target, door);
     if (is_map_set(target)) return check_map_set(target, door, own, evidence, file);
     if (MetalRoughSet::is_set(target)) return check_metal_rough(target, door, own, threads, evidence, file);
     const auto open = [&](const TargetFile& part) { return open_target_file(part, door); };

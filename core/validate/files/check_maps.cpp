@@ -7,9 +7,11 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/image/load.h"
+#include "core/image/picture_endings.h"
 #include "core/maps/map_survey.h"
 #include "core/names/names.h"
 #include "core/validate/files/load.h"
@@ -40,8 +42,10 @@ OpenedBeside open_beside(const std::vector<TargetFile>& files, std::initializer_
 }
 
 std::optional<GlossPlace> gloss_place(const TargetFile& file) {
+  if (file.role == FileRole::specular_gloss || file.role == FileRole::f0_only) return GlossPlace{3, true};
   if (file.role == FileRole::roughness) return GlossPlace{0, false};
   if (file.role == FileRole::gloss) return GlossPlace{0, true};
+  if (file.role != FileRole::metal_rough) return std::nullopt;
   // As glTF packs them where the name does not say it.
   const std::string_view letters = file.channels.empty() ? "-rm-" : std::string_view(file.channels);
   const std::size_t channel = letters.find_first_of("rs");
@@ -63,7 +67,43 @@ MapEvidence normal_map(const TargetFile& file, const CheckTarget& target, const 
   return out;
 }
 
+// What a texture has lost against the picture of its name; none: it is not in blocks, or they are not to be compared.
+std::optional<BlockLoss> loss_of(const TargetFile& texture, const TargetFile& picture,
+                                 const PictureDoor& door) {
+  const auto blocks = open_target_file(texture, door), source = open_target_file(picture, door);
+  const PictureHeader &held = blocks->header(), &exact = source->header();
+  if (held.blocks.empty() || held.width != exact.width || held.height != exact.height ||
+      (texture.role == FileRole::normal && held.blocks == "BC3"))
+    return std::nullopt;
+  std::optional<GlossPlace> gloss = gloss_place(texture);
+  if (gloss && gloss->channel == 3 && (held.channels % 2 != 0 || exact.channels % 2 != 0)) gloss.reset();
+  BlockLoss out = survey_loss(*blocks, *source, texture.role, gloss);
+  out.label = texture.label;
+  out.source = picture.label;
+  return out;
+}
+
 }  // namespace
+
+std::vector<BlockLoss> losses_of(const CheckTarget& target, const PictureDoor& door) {
+  std::vector<TargetFile> files = target.files;
+  files.insert(files.end(), target.beside.begin(), target.beside.end());
+  const auto is_texture = [](const TargetFile& file) { return is_gpu_texture(path_ending(file.path)); };
+  std::vector<BlockLoss> out;
+  for (std::size_t i = 0; i < target.files.size(); ++i)
+    for (std::size_t j = i + 1; j < files.size(); ++j) {
+      if (is_texture(files[i]) == is_texture(files[j]) || files[i].role != files[j].role ||
+          without_ending(files[i].path) != without_ending(files[j].path))
+        continue;
+      try {
+        auto loss =
+            is_texture(files[i]) ? loss_of(files[i], files[j], door) : loss_of(files[j], files[i], door);
+        if (loss) out.push_back(*std::move(loss));
+      } catch (const Error&) {  // left to the check of the file
+      }
+    }
+  return out;
+}
 
 bool is_map_set(const CheckTarget& target) {
   return std::ranges::any_of(target.files, [](const TargetFile& file) { return is_map(file.role); });
