@@ -68,25 +68,49 @@ double BlockMeasure::fourth(std::uint8_t from, std::uint8_t to, int cutoff) cons
   return std::abs(from - to) / 2.55;
 }
 
-BlockMeasure::CodeForm BlockMeasure::form_around(const Code& mean) const {
-  // What a code changes is looked up around the mean.
+TexelForm BlockMeasure::form_around(const Code& texel) const {
+  // What a code changes is looked up around the texel.
   constexpr int step = 3;
-  const Lab at = lab(mean);
+  const Lab at = lab(texel);
   std::array<Vec3, 3> change{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const int codes = mean[c] < 128 ? step : -step;
-    Code beside = mean;
-    beside[c] = static_cast<std::uint8_t>(mean[c] + codes);
+    const int codes = texel[c] < 128 ? step : -step;
+    Code beside = texel;
+    beside[c] = static_cast<std::uint8_t>(texel[c] + codes);
     const Lab to = lab(beside);
     change[c] = {(to.l - at.l) / codes, (to.a - at.a) / codes, (to.b - at.b) / codes};
   }
   const Mat3 metric = delta_e2000_around(at);
-  CodeForm out;
+  constexpr float least_delta_e = 0.05f;
+  TexelForm out;
   for (std::size_t a = 0; a < 3; ++a) {
     const Vec3 by = metric * change[a];
-    out.squares[a] = static_cast<float>(dot(by, change[a]));
+    out.weights[a] = std::max(least_delta_e * least_delta_e, static_cast<float>(dot(by, change[a])));
     for (std::size_t b = a + 1; b < 3; ++b) out.pairs[a + b - 1] = static_cast<float>(dot(by, change[b]));
   }
+  return out;
+}
+
+TexelForm BlockMeasure::form_of(const Code& texel) const {
+  // A texture has few colours, and what a thread has computed for one stays in the row of its last bits.
+  struct Known {
+    std::uint32_t colour = 0;  // with a bit above it; 0: none yet
+    TexelForm form;
+  };
+  constexpr unsigned rows = 8;
+  thread_local std::array<Known, rows * rows * rows> all_known;
+  static_assert(std::is_trivially_destructible_v<decltype(all_known)>);
+  Known& known = all_known[(texel[0] % rows * rows + texel[1] % rows) * rows + texel[2] % rows];
+  const std::uint32_t colour = 1u << 24 | unsigned{texel[0]} << 16 | unsigned{texel[1]} << 8 | texel[2];
+  if (known.colour != colour) known = {colour, form_around(texel)};
+  TexelForm out = known.form;
+  const auto budgets = static_cast<float>(colour_budget_ * colour_budget_);
+  for (std::size_t c = 0; c < 3; ++c) out.weights[c] /= budgets, out.pairs[c] /= budgets;
+  constexpr double alpha_percent = 1 / 2.55, most_gloss_percent = 30;
+  const auto next = static_cast<std::uint8_t>(texel[3] < 255 ? texel[3] + 1 : 254);
+  const double fourth_budgets =
+      (is_gloss_ ? std::min(most_gloss_percent, fourth(texel[3], next, -1)) : alpha_percent) / fourth_budget_;
+  out.weights[3] = static_cast<float>(fourth_budgets * fourth_budgets);
   return out;
 }
 
@@ -98,29 +122,9 @@ void BlockMeasure::weigh(AnyBlock& block) const {
   const int count = std::max(1, std::popcount(block.counting));
   Code mean{};
   for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / count);
-  // Blocks of a texture have few means, and what a thread has computed for one stays in the row of its last bits.
-  struct Known {
-    std::uint32_t colour = 0;  // with a bit above it; 0: none yet
-    CodeForm form;
-  };
-  constexpr unsigned rows = 8;
-  thread_local std::array<Known, rows * rows * rows> all_known;
-  static_assert(std::is_trivially_destructible_v<decltype(all_known)>);
-  Known& known = all_known[(mean[0] % rows * rows + mean[1] % rows) * rows + mean[2] % rows];
-  const std::uint32_t colour = 1u << 24 | unsigned{mean[0]} << 16 | unsigned{mean[1]} << 8 | mean[2];
-  if (known.colour != colour) known = {colour, form_around(mean)};
-
-  constexpr double alpha_percent = 1 / 2.55, least_delta_e = 0.05, most_gloss_percent = 30;
-  const auto budgets = static_cast<float>(colour_budget_ * colour_budget_);
-  for (std::size_t c = 0; c < 3; ++c) {
-    block.weights[c] =
-        std::max(static_cast<float>(least_delta_e * least_delta_e), known.form.squares[c]) / budgets;
-    block.pairs[c] = known.form.pairs[c] / budgets;
-  }
-  const auto next = static_cast<std::uint8_t>(mean[3] < 255 ? mean[3] + 1 : 254);
-  const double fourth_budgets =
-      (is_gloss_ ? std::min(most_gloss_percent, fourth(mean[3], next, -1)) : alpha_percent) / fourth_budget_;
-  block.weights[3] = static_cast<float>(fourth_budgets * fourth_budgets);
+  const TexelForm form = form_of(mean);
+  block.weights = form.weights;
+  block.pairs = form.pairs;
 }
 
 }  // namespace etak

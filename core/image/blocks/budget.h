@@ -60,15 +60,12 @@ class BlockMeasure {
   /// Sets the weights of a block's channels and of their pairs: its errors are then squares of how many budgets they are, for
   /// small ones around the mean of its texels that count.
   void weigh(AnyBlock& block) const;
+  /// How squared errors of a texel count in budgets, for small ones. May be called from any thread.
+  TexelForm form_of(const std::array<std::uint8_t, 4>& texel) const;
 
  private:
   using Code = std::array<std::uint8_t, 4>;
-  // CIEDE2000 of small differences of codes, squared, as a quadratic form; pairs as in AnyBlock.
-  struct CodeForm {
-    std::array<float, 3> squares{};
-    PairWeights pairs{};
-  };
-  CodeForm form_around(const Code& mean) const;
+  TexelForm form_around(const Code& texel) const;  // of its colour, in CIEDE2000
   Lab lab(const std::array<std::uint8_t, 4>& code) const {
     return to_lab(LinearRgb{linear_[code[0]], linear_[code[1]], linear_[code[2]]});
   }

@@ -17,6 +17,13 @@ using ChannelWeights = std::array<float, 4>;
 /// weighs less than alone where what they change makes up for one another. No error may count less than nothing.
 using PairWeights = std::array<float, 3>;
 
+/// The squared error of one texel: as a quadratic form of its colour, and of its fourth channel apart, each 1 where it is at
+/// its bound.
+struct TexelForm {
+  ChannelWeights weights{1, 1, 1, 1};
+  PairWeights pairs{};
+};
+
 /// A block of 4 x 4 texels to compress.
 ///   texels    RGBA codes, row by row from the top
 ///   shares    how much the error of each texel counts, 0 or more; 0 for texels that nothing reads. All 0 counts as

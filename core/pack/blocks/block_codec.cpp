@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/setting.h"
+#include "core/image/blocks/bc7_settle.h"
 #include "core/image/blocks/encode.h"
 
 namespace etak {
@@ -42,6 +43,11 @@ void BlockCodec::encode(std::vector<AnyBlock> blocks, const BlockTry& how, std::
   for (AnyBlock& block : blocks)
     std::ranges::transform(block.weights, how.weights, block.weights.begin(), std::multiplies());
   astc_.encode(blocks, {&format_, true, how.effort}, bytes);
+}
+
+void BlockCodec::settle(const AnyBlock& block, const std::array<TexelForm, 16>& forms, std::size_t starts,
+                        std::uint8_t* bytes) const {
+  settle_bc7(own_source(block, format_.code), forms, starts, bytes);
 }
 
 std::vector<std::array<std::uint8_t, 4>> BlockCodec::decode(const std::uint8_t* bytes,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,11 +15,11 @@ namespace etak {
 /// How hard blocks are tried.
 ///   effort    1 to most_block_effort
 ///   weights   by which those of each block are multiplied
-///   evens     texels whose error is large in the block so far count more
+///   settles   of BC7: what a block is so far is settled, from so many other starts too (core/image/blocks/bc7_settle.h)
 struct BlockTry {
   int effort = 2;
   ChannelWeights weights{1, 1, 1, 1};
-  bool evens = false;
+  std::optional<std::size_t> settles = {};
 };
 
 /// Compresses and decodes blocks of one format, sRGB-encoded: BC4, BC5 and BC7 by etak's own encoder, ASTC by the program's
@@ -33,6 +35,10 @@ class BlockCodec {
   }
   /// Writes block_bytes of each block, in their order. They depend on that block and `how` alone.
   void encode(std::vector<AnyBlock> blocks, const BlockTry& how, std::uint8_t* bytes) const;
+  /// Settles a block of BC7 where it lies.
+  ///   forms   of its texels
+  void settle(const AnyBlock& block, const std::array<TexelForm, 16>& forms, std::size_t starts,
+              std::uint8_t* bytes) const;
   /// The texels of `count` blocks, one block behind the other, with texels() each.
   std::vector<std::array<std::uint8_t, 4>> decode(const std::uint8_t* bytes, std::size_t count) const;
 

@@ -113,11 +113,17 @@ class LevelInBlocks {
     timed([&] {
       constexpr std::size_t chunk = 64;
       parallel_chunks(bad.size(), job_.threads, chunk, [&](std::size_t begin, std::size_t end, unsigned) {
-        std::vector<AnyBlock> sources;
-        for (std::size_t i = begin; i < end; ++i) sources.push_back(block_again(bad[i], how));
         const std::size_t bytes = codec_.format().block_bytes;
-        std::vector<std::uint8_t> tried(bytes * sources.size());
-        codec_.encode(std::move(sources), how, tried.data());
+        std::vector<std::uint8_t> tried(bytes * (end - begin));
+        std::vector<AnyBlock> sources;
+        for (std::size_t i = begin; i < end; ++i) {
+          sources.push_back(texels_.block(bad[i]));
+          if (!how.settles) continue;
+          std::uint8_t* its = &tried[bytes * (i - begin)];
+          std::copy_n(block(bad[i]), bytes, its);
+          codec_.settle(sources.back(), texels_.forms(bad[i]), *how.settles, its);
+        }
+        if (!how.settles) codec_.encode(std::move(sources), how, tried.data());
         const std::vector<Texel> decoded = codec_.decode(tried.data(), end - begin);
         for (std::size_t i = begin; i < end; ++i) {
           BlockDifferences found;
@@ -205,20 +211,6 @@ class LevelInBlocks {
                     });
   }
 
-  // A block's texels for another try.
-  AnyBlock block_again(std::size_t b, const BlockTry& how) {
-    AnyBlock out = texels_.block(b);
-    if (!how.evens) return out;
-    constexpr double least = 0.25, most = 4;
-    BlockDifferences found;
-    texels_.compare(b, codec_.decode(block(b), 1).data(), found);
-    for (std::size_t i = 0; i < found.count; ++i) {
-      const double by = std::clamp(texels_.budgets(found, i), least, most) / 2;
-      out.shares[found.at[i]] = static_cast<std::uint8_t>(std::clamp(by * by * found.share[i], 1.0, 255.0));
-    }
-    return out;
-  }
-
   const BlockJob& job_;
   BlockCodec codec_;
   LevelTexels texels_;
@@ -232,18 +224,18 @@ class LevelInBlocks {
   std::size_t escalated_ = 0;
 };
 
-// The last tries bring single texels within the budget. They take the most time, and where most blocks miss it they are spared.
-constexpr std::size_t evened_tries = 2;
-
-// What blocks are tried with in turn: more effort, more weight on one side, then more on the texels that miss the budget.
+// What blocks are tried with in turn: more effort, then, step by step, what brings most texels within the budget.
 std::vector<BlockTry> tries_of(const CompressOptions& how) {
   // Channels of BC4 and BC5 are apart, and neither weights nor effort change them.
   if (is_fitting(*how.format)) return {{how.effort}};
   std::vector<BlockTry> out;
   for (int effort = how.effort; effort <= most_block_effort; ++effort) out.push_back({effort});
+  if (how.format->code == BlockCode::bc7) {
+    for (const std::size_t starts : {0, 4, 16}) out.push_back({.settles = starts});
+    return out;
+  }
   for (const float fourth : {4.0f, 16.0f, 0.25f})
     out.push_back({std::min(most_block_effort, how.effort + 1), {1, 1, 1, fourth}});
-  out.insert(out.end(), evened_tries, {most_block_effort, {1, 1, 1, 1}, true});
   return out;
 }
 
@@ -264,7 +256,7 @@ BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int numb
   std::vector<bool> misses = missing(level, spreads);
   const auto any_misses = [&] { return std::ranges::find(misses, true) != misses.end(); };
   if (tries.size() > 1 && any_misses() && level.is_hopeless(spreads, misses, std::span(tries).subspan(1)))
-    tries.resize(job.how.falls_back ? 1 : tries.size() - evened_tries);
+    tries.resize(job.how.falls_back ? 1 : tries.size() - 2);
   for (std::size_t t = 1; t < tries.size() && any_misses(); ++t) {
     level.escalate(level.bad_blocks(misses), tries[t]);
     spreads = level.measure();

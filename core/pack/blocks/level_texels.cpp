@@ -42,6 +42,19 @@ AnyBlock LevelTexels::block(std::size_t number) const {
   return out;
 }
 
+std::array<TexelForm, 16> LevelTexels::forms(std::size_t number) const {
+  const AnyBlock from = bare_block(number);
+  const bool see_through = job_.texture == Texture::diffuse_alpha &&
+                           job_.materials[*uses.owner[number]].alpha_mode != AlphaMode::opaque;
+  std::array<TexelForm, 16> out;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = measure.form_of(from.texels[i]);
+    if (see_through && from.texels[i][3] == 0) out[i] = {{0, 0, 0, out[i].weights[3]}};
+    if (job_.fourth_apart) out[i].weights[3] = 0;
+  }
+  return out;
+}
+
 bool LevelTexels::is_mask(std::size_t material) const {
   return job_.texture == Texture::diffuse_alpha && job_.materials[material].alpha_mode == AlphaMode::mask;
 }

@@ -32,6 +32,8 @@ class LevelTexels {
 
   /// A block's texels, with the weights of its channels. Beyond the edge of the level they repeat it and do not count.
   AnyBlock block(std::size_t number) const;
+  /// How squared errors of a block's texels count, of the first 16.
+  std::array<TexelForm, 16> forms(std::size_t number) const;
 
   /// The differences of a block that has an owner.
   ///   texels    as the block has them

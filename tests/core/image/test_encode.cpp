@@ -5,7 +5,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include <set>
 #include <vector>
+
+#include "core/image/blocks/bc7_block.h"
+#include "core/image/blocks/bc7_settle.h"
 
 namespace etak {
 namespace {
@@ -194,6 +198,105 @@ TEST_CASE("more effort leaves less error, and what no triangle reads leaves none
     block.shares[3] = block.shares[12] = 1;
   }
   for (const float error : encoded(encode_blocks, blocks, {}).errors) CHECK(error <= 8);
+}
+
+namespace {
+
+using Forms = std::array<TexelForm, 16>;
+
+// What the texels of a block cost by the words of settle_bc7(), in another way: from the decoded codes.
+double settled_cost(const BlockSource& source, const Forms& forms, const std::uint8_t* block) {
+  const BlockTexels decoded = decode_block(BlockCode::bc7, block);
+  double out = 0;
+  for (std::size_t i = 0; i < 16; ++i) {
+    std::array<double, 4> off{};
+    for (std::size_t c = 0; c < 4; ++c) off[c] = source.texels[i][c] - decoded[i][c];
+    double colour = 0;
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b < 3; ++b)
+        colour += double{a == b ? forms[i].weights[a] : forms[i].pairs[a + b - 1]} * off[a] * off[b];
+    const double error = std::max(colour, double{forms[i].weights[3]} * off[3] * off[3]);
+    out += double{source.shares[i]} * (error > 1 ? std::sqrt(error) : 0.05 * error);
+  }
+  return out;
+}
+
+struct SettleCase {
+  BlockSource source;
+  Forms forms;
+};
+
+// Ramps with noise, opaque or not, whose texels have errors of their own.
+std::vector<SettleCase> settle_cases(std::size_t count) {
+  std::mt19937 random(5);
+  const auto code = [&](unsigned most) { return static_cast<int>(random() % (most + 1)); };
+  std::vector<SettleCase> out(count);
+  for (std::size_t b = 0; b < count; ++b) {
+    auto& [source, forms] = out[b];
+    std::array<std::array<int, 4>, 3> ends{};
+    for (auto& end : ends)
+      for (int& value : end) value = code(200) + 20;
+    const int noise = code(16) + 1;
+    for (std::size_t i = 0; i < 16; ++i) {
+      const std::size_t part = b % 3 == 0 && i % 4 > 1 ? 1 : 0;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const int line = ends[part][c] + (ends[part + 1][c] - ends[part][c]) * static_cast<int>(i) / 24;
+        source.texels[i][c] = c == 3 && b % 2 == 0
+                                  ? 255
+                                  : static_cast<std::uint8_t>(std::clamp(
+                                        line + code(static_cast<unsigned>(2 * noise)) - noise, 0, 255));
+      }
+      source.shares[i] = b % 5 == 0 ? static_cast<float>(code(2)) / 2 : 1;
+      const float weight = static_cast<float>(code(8) + 1) / 100;
+      forms[i] = {{weight, 2 * weight, weight / 2, b % 7 == 0 ? 0 : weight},
+                  {weight / 3, -weight / 4, weight / 5}};
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a block of BC7 of any mode that is read and stored again has the same bytes") {
+  std::mt19937 random(3);
+  int others = 0;
+  for (unsigned b = 0; b < 100'000; ++b) {
+    std::array<std::uint8_t, 16> block{}, again{};
+    for (std::uint8_t& byte : block) byte = static_cast<std::uint8_t>(random());
+    const unsigned mode = b % 8;
+    block[0] = static_cast<std::uint8_t>((block[0] << (mode + 1) & 0xff) | 1u << mode);
+    bc7::store_block(bc7::read_block(block.data()), again.data());
+    others += block != again;
+  }
+  CHECK(others == 0);
+}
+
+TEST_CASE("settling leaves less of a block beyond the bound, less from more starts, and never more") {
+  double before = 0, own = 0, some = 0;
+  int worse = 0, turns = 0;
+  std::set<std::size_t> modes;
+  for (const auto& [source, forms] : settle_cases(600)) {
+    std::array<std::uint8_t, 16> first{};
+    encode_blocks(std::span(&source, 1), {BlockCode::bc7, {0.05f, 0.1f, 0.03f, 0.05f}, 2}, first.data());
+    std::array<std::uint8_t, 16> settled = first, far = first, again = first;
+    settle_bc7(source, forms, 0, settled.data());
+    settle_bc7(source, forms, 4, far.data());
+    settle_bc7(source, forms, 4, again.data());
+    turns += far != again;
+    const double costs[]{settled_cost(source, forms, first.data()),
+                         settled_cost(source, forms, settled.data()),
+                         settled_cost(source, forms, far.data())};
+    constexpr double rounding = 1 + 1e-4;
+    worse += costs[1] > costs[0] * rounding || costs[2] > costs[1] * rounding;
+    before += costs[0], own += costs[1], some += costs[2];
+    modes.insert(bc7::read_block(far.data()).mode);
+  }
+  CHECK(worse == 0);
+  CHECK(turns == 0);
+  CAPTURE(before, own, some);
+  CHECK(own < 0.9 * before);
+  CHECK(some < 0.8 * own);
+  CHECK(modes.size() >= 5);
 }
 
 }  // namespace etak
