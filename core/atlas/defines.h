@@ -24,6 +24,9 @@ namespace etak {
 /// or, where it or that of diffuse and alpha is in blocks of its colour alone (AtlasPage::fourth_apart):
 ///   ETAK_GLOSS_APART              gloss is red of a texture of its own
 ///   ETAK_ALPHA_APART              the same for alpha
+/// or, where either texture ends before its small levels (AtlasPage::tail_apart):
+///   ETAK_DIFFUSE_ALPHA_TAIL       they are those of a texture of their own
+///   ETAK_SPECULAR_GLOSS_TAIL      the same for F0 and gloss
 std::vector<std::string> material_defines(const MaterialFate& fate, AlphaMode mode);
 
 }  // namespace etak

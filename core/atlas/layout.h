@@ -42,10 +42,15 @@ struct AtlasPage {
   std::vector<std::string> in_blocks = {};
   // By Texture: its KTX2 and DDS files hold its colour alone, and its fourth channel is red of fourth_file_beside() them.
   std::array<bool, 2> fourth_apart = {};
+  // By Texture: its KTX2 and DDS files have the first levels alone, in blocks, and the others are the levels of
+  // tail_file_beside() them, as RGBA8.
+  std::array<bool, 2> tail_apart = {};
   /// The first file of specular_gloss holds those.
   bool first_in_blocks() const;
   /// The file beside the first one of a texture that holds its fourth channel; empty: the first has four channels.
   std::string fourth_beside_first(Texture texture) const;
+  /// The same of the file that holds its last levels; empty: the first has all levels.
+  std::string tail_beside_first(Texture texture) const;
   friend bool operator==(const AtlasPage&, const AtlasPage&) = default;
 };
 
@@ -69,6 +74,8 @@ struct AtlasLayout {
 /// The file that holds the fourth channel of a texture alone, "page0_alpha.ktx2" or "page0_gloss.dds", beside a file of
 /// page_file(); empty where that is no KTX2 or DDS file of this name.
 std::string fourth_file_beside(const std::string& page_file, Texture texture);
+/// The same of its last levels: "page0_diffuse_alpha_tail.ktx2".
+std::string tail_file_beside(const std::string& page_file, Texture texture);
 
 inline constexpr const char* layout_file_name = "layout.json";
 
@@ -81,6 +88,8 @@ AtlasRect read_layout_rect(const JsonNode& node, std::size_t pages);
 std::vector<std::string> read_channels_in_blocks(const JsonNode& page);
 /// The same of AtlasPage::fourth_apart.
 std::array<bool, 2> read_fourth_apart(const JsonNode& page);
+/// And of AtlasPage::tail_apart.
+std::array<bool, 2> read_tail_apart(const JsonNode& page);
 
 /// Throws Error with the JSON pointer.
 AtlasLayout parse_layout(std::string_view text, std::string_view file);

@@ -41,10 +41,14 @@ std::string page_json(const AtlasPage& page) {
              json_array_of(std::span(files).subspan(1));
   }
   if (!page.in_blocks.empty()) out += ", \"specular_gloss_in_blocks\": " + json_array_of(page.in_blocks);
-  std::vector<std::string> apart;
-  for (std::size_t t = 0; t < fourth_names.size(); ++t)
+  std::vector<std::string> apart, tails;
+  for (const Texture texture : both_textures) {
+    const auto t = static_cast<std::size_t>(texture);
     if (page.fourth_apart[t]) apart.emplace_back(fourth_names[t]);
+    if (page.tail_apart[t]) tails.emplace_back(name(texture));
+  }
   if (!apart.empty()) out += ", \"apart_in_blocks\": " + json_array_of(apart);
+  if (!tails.empty()) out += ", \"tails_apart\": " + json_array_of(tails);
   return out + "}";
 }
 
@@ -131,6 +135,7 @@ AtlasPage read_page(const JsonNode& node) {
   }
   out.in_blocks = read_channels_in_blocks(node);
   out.fourth_apart = read_fourth_apart(node);
+  out.tail_apart = read_tail_apart(node);
   return out;
 }
 
@@ -163,11 +168,22 @@ bool AtlasPage::first_in_blocks() const {
   return !in_blocks.empty() && !all.empty() && is_container(all[0]);
 }
 
-std::string fourth_file_beside(const std::string& page_file, Texture texture) {
+namespace {
+
+std::string file_beside(const std::string& page_file, Texture texture, const std::string& what) {
   const std::size_t at = page_file.rfind('_' + std::string(name(texture)) + '.');
   if (at == page_file.npos || !is_container(page_file)) return {};
-  return page_file.substr(0, at + 1) + std::string(fourth_names[static_cast<std::size_t>(texture)]) +
-         page_file.substr(page_file.rfind('.'));
+  return page_file.substr(0, at + 1) + what + page_file.substr(page_file.rfind('.'));
+}
+
+}  // namespace
+
+std::string fourth_file_beside(const std::string& page_file, Texture texture) {
+  return file_beside(page_file, texture, std::string(fourth_names[static_cast<std::size_t>(texture)]));
+}
+
+std::string tail_file_beside(const std::string& page_file, Texture texture) {
+  return file_beside(page_file, texture, std::string(name(texture)) + "_tail");
 }
 
 std::string AtlasPage::fourth_beside_first(Texture texture) const {
@@ -175,16 +191,35 @@ std::string AtlasPage::fourth_beside_first(Texture texture) const {
   return fourth_apart[t] && !files[t].empty() ? fourth_file_beside(files[t].front(), texture) : "";
 }
 
-std::array<bool, 2> read_fourth_apart(const JsonNode& page) {
-  constexpr const char* key = "apart_in_blocks";
+std::string AtlasPage::tail_beside_first(Texture texture) const {
+  const auto t = static_cast<std::size_t>(texture);
+  return tail_apart[t] && !files[t].empty() ? tail_file_beside(files[t].front(), texture) : "";
+}
+
+namespace {
+
+// By Texture whether a list of a page has its name.
+std::array<bool, 2> read_marks(const JsonNode& page, std::string_view key,
+                               const std::array<std::string_view, 2>& names) {
   std::array<bool, 2> out{};
   if (!page.has(key)) return out;
   for (const std::string& each : page.at(key).texts()) {
-    const auto found = std::ranges::find(fourth_names, each);
-    if (found == fourth_names.end()) page.at(key).fail_type("some of alpha and gloss");
-    out[static_cast<std::size_t>(found - fourth_names.begin())] = true;
+    const auto found = std::ranges::find(names, each);
+    if (found == names.end())
+      page.at(key).fail_type("some of " + std::string(names[0]) + " and " + std::string(names[1]));
+    out[static_cast<std::size_t>(found - names.begin())] = true;
   }
   return out;
+}
+
+}  // namespace
+
+std::array<bool, 2> read_fourth_apart(const JsonNode& page) {
+  return read_marks(page, "apart_in_blocks", fourth_names);
+}
+
+std::array<bool, 2> read_tail_apart(const JsonNode& page) {
+  return read_marks(page, "tails_apart", {name(Texture::diffuse_alpha), name(Texture::specular_gloss)});
 }
 
 std::vector<std::string> read_channels_in_blocks(const JsonNode& page) {

@@ -13,11 +13,12 @@
 namespace etak {
 namespace {
 
-// One texture of a page.
+// One texture of a page, from its first level on.
 struct PageTexture {
   int page;
   Texture texture;
   const PagePixels& pixels;
+  int first = 0;
 };
 
 void write_container(OutputFolder& folder, const PageTexture& of, const std::string& name,
@@ -25,8 +26,9 @@ void write_container(OutputFolder& folder, const PageTexture& of, const std::str
   const PagePixels& pixels = of.pixels;
   const Texture texture = of.texture;
   std::vector<ConstPixelsView8> texels;
-  for (int l = 0; l < pixels.levels(); ++l) texels.push_back(pixels.view(texture, l));
+  for (int l = of.first; l < pixels.levels(); ++l) texels.push_back(pixels.view(texture, l));
   std::vector<TextureLevel> levels = texture_levels(texels);
+  if (blocks != nullptr) levels.resize(blocks->levels.size());
   for (std::size_t l = 0; blocks != nullptr && l < levels.size(); ++l) levels[l].bytes = blocks->levels[l];
   const BlockFormat* const code = blocks != nullptr ? blocks->format : nullptr;
   const bool srgb = code == nullptr || code->vk_srgb != 0;
@@ -114,6 +116,14 @@ void write_fourth(OutputFolder& folder, int page, Texture texture, const PagePix
     if (is_gpu_texture(format))
       write_container(folder, {page, texture, pixels},
                       fourth_file_beside(page_file(page, texture, format), texture), options, &fourth);
+}
+
+void write_tail(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels, int first,
+                const WriteOptions& options) {
+  for (const std::string& format : options.formats)
+    if (is_gpu_texture(format))
+      write_container(folder, {page, texture, pixels, first},
+                      tail_file_beside(page_file(page, texture, format), texture), options, nullptr);
 }
 
 }  // namespace etak

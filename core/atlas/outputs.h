@@ -35,6 +35,7 @@ struct WriteOptions {
 };
 
 /// A texture in blocks, level by level.
+///   levels         the first ones; where some are missing, they are RGBA8 in files of their own
 ///   fourth_apart   the blocks hold colour alone, and the fourth channel is as it is, in files of R8
 struct TextureInBlocks {
   const BlockFormat* format = nullptr;
@@ -57,10 +58,12 @@ bool writes_containers(const WriteOptions& options);
 
 /// Writes one texture of a page, in those of the formats that hold codes.
 ///   blocks   what KTX2 and DDS files hold in place of the texels; null: RGBA8. A fourth channel apart is written by
-///            write_fourth()
+///            write_fourth(), levels from `first` on that blocks do not have by write_tail()
 void write_page(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
                 const WriteOptions& options, const TextureInBlocks* blocks = nullptr);
 void write_fourth(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
                   const WriteOptions& options);
+void write_tail(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels, int first,
+                const WriteOptions& options);
 
 }  // namespace etak

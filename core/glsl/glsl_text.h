@@ -108,6 +108,9 @@ struct TextureUse {
   Channels channels = Channels::rgb_alpha;
   /// Opacity or gloss is red of a texture of its own, the sampler `alpha_apart` or `gloss_apart`, of no sRGB format.
   bool alpha_apart = false, gloss_apart = false;
+  /// The texture ends before its small levels, which are those of a texture of their own, the sampler `diffuse_alpha_tail` or
+  /// `specular_gloss_tail`.
+  bool diffuse_tail = false, specular_tail = false;
   /// Where a part of the material lies on its page.
   ///   region    left, top, width and height as shares of the page; of no width and height: one point
   ///   rotated   a quarter turn: column c of the picture is row c on the page, and the picture's rows run from

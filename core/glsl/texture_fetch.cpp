@@ -54,6 +54,15 @@ void declare_textures(const FetchedTextures& of, TextureFetch& out) {
   if (of.b()) add_line(out, "uniform sampler2D specular_gloss;");
   if (of.alpha_apart()) add_line(out, "uniform sampler2D alpha_apart;");
   if (of.gloss_apart()) add_line(out, "uniform sampler2D gloss_apart;");
+  if (of.a() && use.diffuse_tail) add_line(out, "uniform sampler2D diffuse_alpha_tail;");
+  if (of.b() && use.specular_tail) add_line(out, "uniform sampler2D specular_gloss_tail;");
+  // Between the last level of the one and the first of the other it is as between two levels of one texture.
+  if ((of.a() && use.diffuse_tail) || (of.b() && use.specular_tail))
+    add_line(out,
+             "vec4 with_tail(sampler2D levels, sampler2D tail, vec2 uv) {\n"
+             "  vec2 size = vec2(textureSize(tail, 0)), x = size * dFdx(uv), y = size * dFdy(uv);\n"
+             "  float level = 1.0 + 0.5 * log2(max(max(dot(x, x), dot(y, y)), 1e-20));\n"
+             "  return mix(texture(levels, uv), texture(tail, uv), clamp(level, 0.0, 1.0));\n}");
   if (use.diffuse) add_line(out, "vec3 texel_diffuse;");
   if (use.fetch_alpha)
     add_line(out, "float texel_opacity;");
@@ -82,6 +91,11 @@ void declare_textures(const FetchedTextures& of, TextureFetch& out) {
     if (fetched[part]) add_place(part_names[part], part);
 }
 
+std::string read_of(const std::string& sampler, const std::string& uv, bool tail) {
+  return tail ? "with_tail(" + sampler + ", " + sampler + "_tail, " + uv + ")"
+              : "texture(" + sampler + ", " + uv + ")";
+}
+
 // The texel that a part is read from.
 std::string texel_of(const FetchedTextures& of, std::size_t part) {
   const bool a = part < 2;
@@ -90,9 +104,11 @@ std::string texel_of(const FetchedTextures& of, std::size_t part) {
   const std::string name = part_names[part], sampler = apart ? name + "_apart"
                                                        : a   ? "diffuse_alpha"
                                                              : "specular_gloss";
-  if (of.one_place()) return "texture(" + sampler + ", uv)";
-  return "texture(" + sampler + ", " + name + "_corner + " + name + "_size * " +
-         (of.use.places[part].rotated ? "vec2(1.0 - uv.y, uv.x))" : "uv)");
+  if (of.one_place()) return read_of(sampler, "uv", false);
+  return read_of(sampler,
+                 name + "_corner + " + name + "_size * " +
+                     (of.use.places[part].rotated ? "vec2(1.0 - uv.y, uv.x)" : "uv"),
+                 !apart && (a ? of.use.diffuse_tail : of.use.specular_tail));
 }
 
 void add_fetch(const FetchedTextures& of, TextureFetch& out) {
@@ -103,8 +119,8 @@ void add_fetch(const FetchedTextures& of, TextureFetch& out) {
   if (of.one_place() && of.any()) {
     if (use.places[0].rotated) line("  uv = vec2(1.0 - uv.y, uv.x);");
     line("  uv = region_corner + region_size * uv;");
-    if (of.a()) line("  vec4 a = texture(diffuse_alpha, uv);");
-    if (of.b()) line("  vec4 b = texture(specular_gloss, uv);");
+    if (of.a()) line("  vec4 a = " + read_of("diffuse_alpha", "uv", use.diffuse_tail) + ";");
+    if (of.b()) line("  vec4 b = " + read_of("specular_gloss", "uv", use.specular_tail) + ";");
   }
   if (use.diffuse) line("  texel_diffuse = " + texel_of(of, 0) + ".rgb;");
   if (use.fetch_alpha) line("  texel_opacity = " + texel_of(of, 1) + (of.alpha_apart() ? ".r;" : ".a;"));
@@ -174,10 +190,14 @@ TextureUse texture_use(std::span<const std::string> defines) {
       out.alpha_apart = true;
     else if (define == "ETAK_GLOSS_APART")
       out.gloss_apart = true;
+    else if (define == "ETAK_DIFFUSE_ALPHA_TAIL")
+      out.diffuse_tail = true;
+    else if (define == "ETAK_SPECULAR_GLOSS_TAIL")
+      out.specular_tail = true;
     else
       throw Error::at(
           printable(define), "is no define that etak pack lists",
-          "ETAK_DIFFUSE_TEXTURE, ETAK_SPECULAR_TEXTURE, ETAK_GLOSS_TEXTURE, ETAK_NO_DIFFUSE, ETAK_SCALAR_F0, ETAK_ALPHA_TEST, ETAK_ALPHA_BLEND, ETAK_ALPHA_TEXTURE, ETAK_GLOSS_IN_RED, ETAK_F0_GLOSS_IN_RED_GREEN, ETAK_ALPHA_APART or ETAK_GLOSS_APART");
+          "ETAK_DIFFUSE_TEXTURE, ETAK_SPECULAR_TEXTURE, ETAK_GLOSS_TEXTURE, ETAK_NO_DIFFUSE, ETAK_SCALAR_F0, ETAK_ALPHA_TEST, ETAK_ALPHA_BLEND, ETAK_ALPHA_TEXTURE, ETAK_GLOSS_IN_RED, ETAK_F0_GLOSS_IN_RED_GREEN, ETAK_ALPHA_APART, ETAK_GLOSS_APART, ETAK_DIFFUSE_ALPHA_TAIL or ETAK_SPECULAR_GLOSS_TAIL");
   }
   return out;
 }

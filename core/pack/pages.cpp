@@ -69,9 +69,11 @@ CompressedTexture blocks_of(const BlockJob& job, bool apart) {
                    job.shown,    job.gloss,     narrow,   job.astc,    job.threads};
     if (CompressedTexture out = compress_texture(first); out.blocks) return out;
   }
-  CompressedTexture out = compress_texture(job);
+  BlockJob whole = job;
+  whole.may_end = !apart;
+  CompressedTexture out = compress_texture(whole);
   if (out.blocks || apart || !reads_fourth(job.decision, job.materials, job.page, job.texture)) return out;
-  BlockJob colour = job;
+  BlockJob colour = whole;
   colour.fourth_apart = true;
   CompressedTexture halves = compress_texture(colour);
   return halves.blocks ? halves : out;
@@ -106,9 +108,11 @@ void write_files(const WholePage& page, const PackOptions& options, const PackSo
       if (!its.blocks && write.zstd_level == 0 && has_zstd()) write.zstd_level = zstd_of_fallback;
     }
     write_page(*to.folder, page.number, texture, page.pixels, write, its.blocks ? &*its.blocks : nullptr);
-    if (!its.blocks || !its.blocks->fourth_apart) continue;
+    if (!its.blocks) continue;
     if (write.zstd_level == 0 && has_zstd()) write.zstd_level = zstd_of_fallback;
-    write_fourth(*to.folder, page.number, texture, page.pixels, write);
+    if (its.blocks->fourth_apart) write_fourth(*to.folder, page.number, texture, page.pixels, write);
+    if (const int held = static_cast<int>(its.blocks->levels.size()); held < page.pixels.levels())
+      write_tail(*to.folder, page.number, texture, page.pixels, held, write);
   }
   // Parts that lie apart are not those of one material.
   if (compress.format != nullptr && source.one_page == nullptr)

@@ -78,10 +78,14 @@ std::uint64_t page_bytes(const PackResult& result, std::size_t number, Texture t
   });
   if (level == result.blocks.end() || level->fallback)
     return texture_bytes({page.width, page.height, 4}, true);
+  const auto tail = std::ranges::find_if(result.blocks, [&](const BlockLevel& each) {
+    return each.page == level->page && each.texture == texture && each.tail;
+  });
   std::uint64_t out = 0;
   for (int l = 0; l < full_mip_levels(page.width, page.height); ++l) {
     const int width = std::max(1, page.width >> l), height = std::max(1, page.height >> l);
-    out += texture_level_bytes(block_format_named(level->format), width, height);
+    const bool in_blocks = tail == result.blocks.end() || l < tail->level;
+    out += texture_level_bytes(in_blocks ? block_format_named(level->format) : nullptr, width, height);
     if (level->fourth_apart) out += texture_level_bytes(block_format_named("R8"), width, height);
   }
   return out;

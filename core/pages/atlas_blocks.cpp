@@ -23,13 +23,17 @@ std::string cells(double usual, double largest) {
 // One texture: what it takes with all levels, and what is changed of its materials on level 0.
 std::string texture_rows(const std::vector<BlockLevel>& blocks, const BlockLevel& first) {
   std::uint64_t bytes = 0;
-  for (const BlockLevel& each : blocks)
-    if (each.page == first.page && each.texture == first.texture) bytes += each.bytes;
+  std::string tail;
+  for (const BlockLevel& each : blocks) {
+    if (each.page != first.page || each.texture != first.texture) continue;
+    bytes += each.bytes;
+    if (each.tail && tail.empty()) tail = "; RGBA8 from level " + std::to_string(each.level) + " on";
+  }
   std::string out;
   append(out, "<tbody class=\"texture\"><tr><th colspan=\"9\">page ", std::to_string(first.page), ' ',
          name(first.texture), ": ", first.format, first.fourth_apart ? " + R8, " : ", ",
          number(8 * static_cast<double>(first.bytes) / static_cast<double>(first.texels), 3),
-         " bits a texel, ", grouped(bytes), " bytes with its mips",
+         " bits a texel, ", grouped(bytes), " bytes with its mips", tail,
          first.fallback ? "; errors are those of " + first.tried + ", which was not kept" : "",
          "</th></tr></tbody>\n<tbody>\n");
   for (const BlockMaterial& m : first.materials) {

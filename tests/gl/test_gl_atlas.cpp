@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <epoxy/gl.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "core/color/srgb.h"
+#include "core/glsl/gl_context.h"
+#include "core/glsl/gl_objects.h"
 #include "core/glsl/gl_runner.h"
+#include "core/glsl/texture_fetch.h"
 #include "tests/gl/gl_here.h"
 #include "tests/gl/scenes.h"
 
@@ -147,6 +152,74 @@ TEST_CASE("gloss and opacity in textures of their own draw the picture of those 
     defines.insert(defines.end(), {"ETAK_ALPHA_APART", "ETAK_GLOSS_APART"});
     CHECK(gl->render(scene, texture_use(defines), a, b).values == together.values);
   }
+}
+
+namespace {
+
+// Levels of a texture of 64 x 64 texels from `first` to before `end`, each of its own colours, filtered between levels.
+GLuint levels_of_noise(int unit, int first, int end) {
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, id);
+  for (int l = first; l < end; ++l) {
+    Image8 level(64 >> l, 64 >> l, 4);
+    std::mt19937 random(static_cast<unsigned>(l));
+    for (std::uint8_t& value : level.values) value = static_cast<std::uint8_t>(random() % 256);
+    glTexImage2D(GL_TEXTURE_2D, l - first, GL_SRGB8_ALPHA8, level.width, level.height, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, level.values.data());
+  }
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, end - first - 1);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  return id;
+}
+
+}  // namespace
+
+TEST_CASE("levels that lie in two textures are filtered as those of one, at every size") {
+  if (gl_here() == nullptr) return;
+  const GlContext context;
+  context.make_current();
+  constexpr int first = 3, all = 7;
+  const GLuint textures[]{levels_of_noise(0, 0, all), levels_of_noise(1, 0, first),
+                          levels_of_noise(2, first, all)};
+  glActiveTexture(GL_TEXTURE3);  // what is drawn into takes the active unit
+  std::array<std::vector<float>, 2> pictures;
+  for (const int pixels : {1, 2, 3, 5, 8, 11, 16, 23, 32, 64, 100}) {
+    CAPTURE(pixels);
+    for (const bool apart : {false, true}) {
+      TextureUse use;
+      use.specular = use.gloss = false;
+      use.diffuse_tail = apart;
+      const TextureFetch fetch = texture_fetch(use, 1);
+      const gl::Program program(
+          "#version 330 core\nout vec2 at;\nvoid main() {\n"
+          "  at = vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0;\n  gl_Position = vec4(at, 0, 1);\n}\n",
+          "#version 330 core\nin vec2 at;\nout vec4 colour;\n"
+          "uniform vec2 region_corner, region_size;\n" +
+              fetch.code + "void main() {\n  fetch(at);\n  colour = vec4(texel_diffuse, 1);\n}\n");
+      glUseProgram(program.id());
+      for (const GlslUniform& uniform : fetch.uniforms) program.set(uniform);
+      program.set_sampler("diffuse_alpha", apart ? 1 : 0);
+      program.set_sampler("diffuse_alpha_tail", 2);
+      const gl::Target target(GL_RGBA32F, pixels, pixels);
+      GLuint nothing = 0;
+      glGenVertexArrays(1, &nothing);
+      glBindVertexArray(nothing);
+      glDrawArrays(GL_TRIANGLES, 0, 3);
+      auto& picture = pictures[apart ? 1 : 0];
+      picture.resize(static_cast<std::size_t>(4 * pixels * pixels));
+      glReadPixels(0, 0, pixels, pixels, GL_RGBA, GL_FLOAT, picture.data());
+      glDeleteVertexArrays(1, &nothing);
+    }
+    double most = 0;
+    for (std::size_t i = 0; i < pictures[0].size(); ++i)
+      most = std::max(most, std::abs(double{pictures[0][i]} - double{pictures[1][i]}));
+    // llvmpipe takes the shares of two levels in steps of a 256th.
+    CHECK(most < 0.01);
+  }
+  glDeleteTextures(3, textures);
 }
 
 TEST_CASE("alpha that blends is the same from a texture and from a uniform") {

@@ -44,6 +44,9 @@ std::vector<std::vector<std::string>> all_defines() {
   out.push_back({"ETAK_GLOSS_TEXTURE", "ETAK_GLOSS_APART"});
   out.push_back({"ETAK_DIFFUSE_TEXTURE", "ETAK_SPECULAR_TEXTURE", "ETAK_GLOSS_TEXTURE", "ETAK_ALPHA_BLEND",
                  "ETAK_ALPHA_TEXTURE", "ETAK_ALPHA_APART", "ETAK_GLOSS_APART"});
+  out.push_back({"ETAK_GLOSS_TEXTURE", "ETAK_SPECULAR_GLOSS_TAIL"});
+  out.push_back({"ETAK_DIFFUSE_TEXTURE", "ETAK_SPECULAR_TEXTURE", "ETAK_GLOSS_TEXTURE", "ETAK_GLOSS_APART",
+                 "ETAK_DIFFUSE_ALPHA_TAIL", "ETAK_SPECULAR_GLOSS_TAIL"});
   return out;
 }
 

@@ -53,6 +53,8 @@ struct BlockMaterial {
 /// One level of a texture that was compressed, or was tried to be.
 ///   fallback       some material did not keep to the budget, and the texture is written as RGBA8
 ///   fourth_apart   the fourth channel is as it is, in R8 beside the blocks; `bytes` counts both
+///   tail           some material did not on this level, which is not the first: this level and all that are smaller are RGBA8
+///                  in a texture of their own
 ///   escalated      blocks that took more than the first try
 struct BlockLevel {
   int page = 0;
@@ -64,7 +66,7 @@ struct BlockLevel {
   double seconds = 0;                 // of compressing alone
   std::size_t blocks = 0, escalated = 0, shared = 0;
   std::vector<BlockMaterial> materials;
-  bool fallback = false, fourth_apart = false;
+  bool fallback = false, fourth_apart = false, tail = false;
 };
 
 /// A part of a material under light, as its textures are and as their blocks hold them (core/pack/blocks/shaded.h).

@@ -299,7 +299,26 @@ CompressedTexture compress_texture(const BlockJob& job) {
   out.blocks->format = job.how.format;
   out.blocks->fourth_apart = job.fourth_apart;
   TexelsShown shown = job.shown;
+  const auto as_it_is = [](BlockLevel& level) {
+    level.format = "RGBA8";
+    level.bytes = 4 * level.texels;
+  };
   for (int l = 0; l < job.pixels.levels(); ++l) {
+    const ConstPixelsView8 view = job.pixels.view(job.texture, l);
+    if (l > 0 && out.report.back().tail) {
+      BlockLevel& level = out.report.emplace_back();
+      level.page = job.page;
+      level.texture = job.texture;
+      level.level = l;
+      level.tried = job.how.format->name;
+      level.texels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+      level.blocks =
+          texture_level_bytes(job.how.format, view.width, view.height) / job.how.format->block_bytes;
+      level.fourth_apart = job.fourth_apart;
+      level.tail = true;
+      as_it_is(level);
+      continue;
+    }
     if (l > 0) {
       const ConstPixelsView8 above = job.pixels.view(job.texture, l - 1);
       shown = next_level(shown, above.width, above.height);
@@ -307,10 +326,15 @@ CompressedTexture compress_texture(const BlockJob& job) {
     out.report.push_back(compressed(job, measure, l, shown, out.blocks->levels.emplace_back()));
     const bool met = std::ranges::all_of(out.report.back().materials, &BlockMaterial::met);
     if (met || !job.how.falls_back) continue;
+    if (l > 0 && job.may_end) {
+      as_it_is(out.report.back());
+      out.report.back().tail = true;
+      out.blocks->levels.pop_back();
+      continue;
+    }
     out.blocks.reset();
     for (BlockLevel& level : out.report) {
-      level.format = "RGBA8";
-      level.bytes = 4 * level.texels;
+      as_it_is(level);
       level.fallback = true;
     }
     break;

@@ -33,6 +33,7 @@ struct BlockJob {
   const CompressOptions& how;  // with a format
   const AstcDoor& astc;
   unsigned threads;
+  bool may_end = false;       // levels that miss the budget may be left to a texture of their own, as RGBA8
   bool fourth_apart = false;  // it is kept as it is beside the blocks, which hold colour alone
 };
 

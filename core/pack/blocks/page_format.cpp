@@ -62,17 +62,31 @@ bool reads_fourth(const PackDecision& decision, const std::vector<PackInput>& ma
 void tell_channels(const std::vector<BlockLevel>& levels, const std::vector<std::string>& formats,
                    AtlasLayout& layout) {
   for (const BlockLevel& level : levels) {
-    if (level.level != 0 || level.fallback) continue;
     AtlasPage& page = layout.pages[static_cast<std::size_t>(level.page)];
-    if (level.fourth_apart) {
-      page.fourth_apart[index_of(level.texture)] = true;
+    const bool diffuse = level.texture == Texture::diffuse_alpha;
+    const auto add_files = [&](const auto& beside) {
       for (const std::string& format : formats)
-        if (std::string file =
-                fourth_file_beside(page_file(level.page, level.texture, format), level.texture);
+        if (std::string file = beside(page_file(level.page, level.texture, format), level.texture);
             !file.empty())
           page.files[index_of(level.texture)].push_back(std::move(file));
+    };
+    if (level.tail && !page.tail_apart[index_of(level.texture)]) {
+      page.tail_apart[index_of(level.texture)] = true;
+      add_files(tail_file_beside);
+      if (page.tail_beside_first(level.texture).empty()) continue;
+      if (diffuse)
+        add_define(layout, level.page, {"ETAK_DIFFUSE_TEXTURE", "ETAK_ALPHA_TEXTURE"},
+                   "ETAK_DIFFUSE_ALPHA_TAIL");
+      else
+        add_define(layout, level.page, {"ETAK_SPECULAR_TEXTURE", "ETAK_GLOSS_TEXTURE"},
+                   "ETAK_SPECULAR_GLOSS_TAIL");
+    }
+    if (level.level != 0 || level.fallback) continue;
+    if (level.fourth_apart) {
+      page.fourth_apart[index_of(level.texture)] = true;
+      add_files(fourth_file_beside);
       if (page.fourth_beside_first(level.texture).empty()) continue;
-      if (level.texture == Texture::diffuse_alpha)
+      if (diffuse)
         add_define(layout, level.page, {"ETAK_ALPHA_TEXTURE"}, "ETAK_ALPHA_APART");
       else
         add_define(layout, level.page, {"ETAK_GLOSS_TEXTURE"}, "ETAK_GLOSS_APART");

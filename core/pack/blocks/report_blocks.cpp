@@ -72,8 +72,15 @@ std::string blocks_text(const std::vector<BlockLevel>& levels) {
     std::string missed;
     for (const BlockLevel& each : levels) {
       if (each.page != first.page || each.texture != first.texture) continue;
-      ++of;
       shared += each.shared;
+      if (each.tail) {
+        if (!each.materials.empty())
+          missed += "  level " + std::to_string(each.level) +
+                    " and smaller ones stay RGBA8, in a file of their own: " + each.tried + " would change " +
+                    worst_text(each) + '\n';
+        continue;
+      }
+      ++of;
       for (const BlockMaterial& m : each.materials)
         if (!m.met)
           missed += "  " + line_text(m.id) + " on level " + std::to_string(each.level) +
@@ -94,7 +101,8 @@ std::string blocks_text(const std::vector<BlockLevel>& levels) {
 std::string block_level_json(const BlockLevel& level, bool seconds) {
   return "{\"page\": " + std::to_string(level.page) + ", \"texture\": " + json(name(level.texture)) +
          ", \"level\": " + std::to_string(level.level) + ", \"format\": " + json(level.format) +
-         (level.fourth_apart ? ", \"fourth\": \"R8\"" : "") + ", \"bits_per_texel\": " +
+         (level.fourth_apart ? ", \"fourth\": \"R8\"" : "") + (level.tail ? ", \"tail\": true" : "") +
+         ", \"bits_per_texel\": " +
          json(8 * static_cast<double>(level.bytes) / static_cast<double>(level.texels)) +
          (seconds ? ", \"seconds\": " + json(level.seconds) : "") + ", \"blocks\": " + json(level.blocks) +
          ", \"escalated\": " + json(level.escalated) + ", \"shared_blocks\": " + json(level.shared) +

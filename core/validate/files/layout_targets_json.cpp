@@ -128,7 +128,8 @@ std::optional<std::array<std::uint8_t, 3>> flat_f0(const AtlasMaterialRow& row) 
 
 constexpr std::array page_roles{FileRole::diffuse_alpha, FileRole::specular_gloss};  // by Texture
 
-// A file with a fourth channel alone follows the one whose channel that is.
+// A file with a fourth channel alone follows the one whose channel that is, small levels apart follow both; these are only
+// known to be the layout's.
 LayoutFacts::Page facts_of(const AtlasPage& page) {
   LayoutFacts::Page out;
   const std::string spread = channels_of(page);
@@ -142,6 +143,8 @@ LayoutFacts::Page facts_of(const AtlasPage& page) {
                          : texture == Texture::specular_gloss ? spread
                                                               : ""});
     if (!fourth.empty()) out.files.push_back({FileRole::other, fourth, ""});
+    if (const std::string tail = page.tail_beside_first(texture); !tail.empty())
+      out.files.push_back({FileRole::other, tail, ""});
   }
   return out;
 }
@@ -151,6 +154,7 @@ LayoutFacts::Page read_page(const JsonNode& node) {
   AtlasPage page;
   page.in_blocks = read_channels_in_blocks(node);
   page.fourth_apart = read_fourth_apart(node);
+  page.tail_apart = read_tail_apart(node);
   bool one_texture = false;
   for (const Texture texture : both_textures) {
     const std::string_view key = name(texture);

@@ -137,6 +137,57 @@ TEST_CASE("a fourth channel apart does not save colours that miss the budget") {
   CHECK_FALSE(is_there(folder.file("out/page0_alpha.ktx2")));
 }
 
+TEST_CASE(
+    "small levels that no block holds are exact in a file of their own, and the others stay in blocks") {
+  const TempFolder folder;
+  // Squares of 8 x 8 texels of one colour each: blocks of levels 0 and 1 hold one colour, those of level 2 four,
+  // and those of level 3 sixteen.
+  const Image8 few = noise(16, 16, 3, 4);
+  Image8 squares(128, 128, 3);
+  for (int y = 0; y < squares.height; ++y)
+    for (int x = 0; x < squares.width; ++x)
+      std::copy_n(few.at(x / 8, y / 8).data(), 3, squares.at(x, y).data());
+  save_png(folder.file("d.png"), squares);
+  const std::string manifest =
+      manifest_of({R"({"name": "w", "diffuse": "d.png", "gloss": 0.5, "specular": [0.04, 0.04, 0.04]})"});
+  PackOptions options = in_blocks("auto");
+  options.layout.mips = 0;
+  (void)pack_text(folder, manifest, options);
+  std::vector<Image8> exact;
+  for (int l = 0; l < 8; ++l)
+    exact.push_back(load_png(
+        folder.file("out/page0_diffuse_alpha" + (l == 0 ? "" : ".mip" + std::to_string(l)) + ".png")));
+  CHECK(packed_layout(folder).pages[0].tail_beside_first(Texture::diffuse_alpha).empty());
+  const std::vector<std::string> rules = rules_of(folder.file("out/layout.json"), picture_door());
+  options.output.write.formats = {"ktx2", "dds"};
+  const PackResult result = pack_text(folder, manifest, options);
+  for (const std::string kind : {"ktx2", "dds"}) {
+    CAPTURE(kind);
+    const TextureFile held = file_of(folder, "page0_diffuse_alpha." + kind),
+                      tail = file_of(folder, "page0_diffuse_alpha_tail." + kind);
+    REQUIRE(held.levels.size() == 3);
+    CHECK((held.blocks->name == "BC7" && tail.blocks == nullptr && tail.srgb));
+    REQUIRE(tail.levels.size() + 3 == exact.size());
+    for (std::size_t l = 0; l < tail.levels.size(); ++l) CHECK(tail.levels[l].values == exact[l + 3].values);
+  }
+  for (const BlockLevel& level : result.blocks) {
+    CHECK_FALSE(level.fallback);
+    CHECK(level.tail == (level.level >= 3));
+    CHECK(level.format == (level.tail ? "RGBA8" : "BC7"));
+  }
+  CHECK(result.blocks.size() == exact.size());
+  const AtlasLayout layout = packed_layout(folder);
+  CHECK(layout.pages[0].tail_beside_first(Texture::diffuse_alpha) == "page0_diffuse_alpha_tail.ktx2");
+  CHECK(layout.pages[0].tail_beside_first(Texture::specular_gloss).empty());
+  CHECK(std::ranges::count(layout.materials[0].defines, "ETAK_DIFFUSE_ALPHA_TAIL") == 1);
+  CHECK(layout.xxh128.contains("page0_diffuse_alpha_tail.dds"));
+  CHECK(rules_of(folder.file("out/layout.json"), picture_door()) == rules);
+  options.output.compress = compress_word("bc7");
+  (void)pack_text(folder, manifest, options);
+  CHECK(file_of(folder, "page0_diffuse_alpha.ktx2").levels.size() == exact.size());
+  CHECK_FALSE(is_there(folder.file("out/page0_diffuse_alpha_tail.ktx2")));
+}
+
 namespace {
 
 // A material of 64 x 64 texels whose F0 is `specular`.
