@@ -165,7 +165,7 @@ void Window::make_panels() {
   blocks_ = new QLabel(this);
   blocks_->setAccessibleName(tr("What BC7 changes"));
   blocks_->setToolTip(tr(
-      "What 1 % of the texels exceed in the viewport's largest textures: CIEDE2000, percent of gloss's exponent and of coverage. Then the bytes with all halves, and those of RGBA8. Over its budget: one of these is; etak pack tries such blocks again, and comes nearer"));
+      "What 1 % of the texels exceed in the viewport's largest textures: CIEDE2000, percent of gloss's exponent and of coverage. Then the bytes with all halves, and those of RGBA8. Over its budget: one of these is; etak pack tries such blocks again, and comes nearer. Small levels over it: only halves are, which etak pack can keep exact beside the blocks"));
   blocks_->setMinimumWidth(1);  // rather cut than a window that becomes wider
   statusBar()->addPermanentWidget(blocks_);
   statusBar()->addPermanentWidget(pictures_);

@@ -70,12 +70,12 @@ QString told_of(const SurfaceInBlocks& made) {
     if (there) changes << text.arg(change, 0, 'g', 3);
   };
   std::size_t bytes = 0, texels = 0;
-  bool met = true;
+  bool met = true, smaller_met = true;  // the budget
   for (const BlockLevel& each : made.levels) {
     bytes += each.bytes;
     texels += each.texels;
     const BlockMaterial& change = each.materials[0];
-    met = met && change.met;
+    (each.level > 0 ? smaller_met : met) &= change.met;
     if (each.level > 0) continue;
     const bool body = each.texture == Texture::diffuse_alpha;
     add(body ? has.diffuse : has.f0, body ? QObject::tr("diffuse \u0394E %1") : QObject::tr("F0 \u0394E %1"),
@@ -84,7 +84,9 @@ QString told_of(const SurfaceInBlocks& made) {
         change.fourth_p99);
   }
   const auto size = [](std::size_t of) { return QLocale::c().formattedDataSize(static_cast<qint64>(of)); };
-  return (met ? QObject::tr("BC7: %1; %2 of %3") : QObject::tr("BC7 over its budget: %1; %2 of %3"))
+  return (!met           ? QObject::tr("BC7 over its budget: %1; %2 of %3")
+          : !smaller_met ? QObject::tr("BC7: %1, small levels over its budget; %2 of %3")
+                         : QObject::tr("BC7: %1; %2 of %3"))
       .arg(changes.join(QLatin1String(", ")), size(bytes), size(4 * texels));
 }
 

@@ -2,6 +2,7 @@
 #include "core/pack/blocks/compress_page.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <optional>
 #include <span>
@@ -231,7 +232,7 @@ std::vector<BlockTry> tries_of(const CompressOptions& how) {
   std::vector<BlockTry> out;
   for (int effort = how.effort; effort <= most_block_effort; ++effort) out.push_back({effort});
   if (how.format->code == BlockCode::bc7) {
-    for (const std::size_t starts : {0, 4, 16}) out.push_back({.settles = starts});
+    for (const std::size_t starts : std::array<std::size_t, 3>{0, 4, 16}) out.push_back({.settles = starts});
     return out;
   }
   for (const float fourth : {4.0f, 16.0f, 0.25f})
