@@ -172,78 +172,31 @@ float climb(const Texels& texels, std::size_t part, Block& block) {
   return least;
 }
 
-// The axis along which texels are spread most.
-Colour principal_axis(const std::array<Colour, channels>& spread) {
-  std::size_t widest = 0;
-  for (std::size_t a = 1; a < channels; ++a)
-    if (spread[a][a] > spread[widest][widest]) widest = a;
-  Colour axis = spread[widest];
-  for (int turn = 0; turn < 6; ++turn) {
-    Colour next{};
-    float largest = 1e-20f;
-    for (std::size_t a = 0; a < channels; ++a) {
-      for (std::size_t b = 0; b < channels; ++b) next[a] += spread[a][b] * axis[b];
-      largest = std::max(largest, std::abs(next[a]));
-    }
-    for (std::size_t a = 0; a < channels; ++a) axis[a] = next[a] / largest;
-  }
-  return axis;
-}
-
-// Sets the ends of a part along the principal axis of its texels, and those of a lone channel around them.
+// Sets the ends of a part to that diagonal of the box around its texels along which they lie.
 void fit(const Texels& texels, std::size_t part, Block& block) {
-  const bc7::Mode& mode = modes[block.mode];
-  const bool alone = mode.second_index_bits != 0;
-  Colour mean{}, root{};
-  std::array<Colour, channels> spread{};
-  const auto each = [&](const auto& use) {
-    for (std::size_t t = 0; t < texels.count; ++t) use(t / group_size, t % group_size);
+  const auto value = [&](std::size_t t, std::size_t c) -> float {
+    return texels.value[bc7::turned(block, c)][t / group_size][t % group_size];
   };
-  const auto value = [&](std::size_t c, std::size_t g, std::size_t l) {
-    return texels.value[bc7::turned(block, c)][g][l];
-  };
-  float sum = 1e-20f;
-  each([&](std::size_t g, std::size_t l) { sum += texels.share[g][l]; });
-  each([&](std::size_t g, std::size_t l) {
+  Colour mean{}, low{255, 255, 255, 255}, high{}, along{};
+  for (std::size_t t = 0; t < texels.count; ++t)
     for (std::size_t c = 0; c < channels; ++c) {
-      mean[c] += texels.share[g][l] / sum * value(c, g, l);
-      root[c] += texels.share[g][l] / sum * texels.weight[bc7::turned(block, c)][g][l];
+      mean[c] += value(t, c) / static_cast<float>(texels.count);
+      low[c] = std::min(low[c], value(t, c));
+      high[c] = std::max(high[c], value(t, c));
     }
-  });
-  for (float& each_root : root) each_root = std::sqrt(std::max(each_root, 1e-6f));
-  // By how many budgets a texel is off the mean; what has no place on the line is not.
-  const auto off = [&](std::size_t g, std::size_t l) {
-    Colour out{};
-    for (std::size_t c = 0; c < (alone || mode.alpha_bits == 0 ? 3 : channels); ++c)
-      out[c] = root[c] * (value(c, g, l) - mean[c]);
-    return out;
-  };
-  each([&](std::size_t g, std::size_t l) {
-    const Colour its = off(g, l);
-    for (std::size_t a = 0; a < channels; ++a)
-      for (std::size_t b = 0; b < channels; ++b) spread[a][b] += texels.share[g][l] * its[a] * its[b];
-  });
-  const Colour axis = principal_axis(spread);
-  float length = 1e-20f, near = 0, far = 0, lowest = 255, highest = 0;
-  for (const float along : axis) length += along * along;
-  each([&](std::size_t g, std::size_t l) {
-    const Colour its = off(g, l);
-    float place = 0;
-    for (std::size_t c = 0; c < channels; ++c) place += axis[c] * its[c] / length;
-    near = std::min(near, place);
-    far = std::max(far, place);
-    lowest = std::min(lowest, value(3, g, l));
-    highest = std::max(highest, value(3, g, l));
-  });
-  const unsigned last = mode.own_p || mode.shared_p ? 1 : 0;
+  std::size_t widest = 0;
+  for (std::size_t c = 1; c < channels; ++c)
+    if (bc7::end_bits(block, c) > 0 && high[c] - low[c] > high[widest] - low[widest]) widest = c;
+  for (std::size_t t = 0; t < texels.count; ++t)
+    for (std::size_t c = 0; c < channels; ++c)
+      along[c] += (value(t, c) - mean[c]) * (value(t, widest) - mean[widest]);
+  const unsigned last = modes[block.mode].own_p || modes[block.mode].shared_p ? 1 : 0;
   for (std::size_t e = 0; e < 2; ++e) {
     block.last[2 * part + e] = last;
     for (std::size_t c = 0; c < channels; ++c) {
-      float code = mean[c] + (e == 0 ? near : far) * axis[c] / root[c];
-      if (alone && c == 3) code = e == 0 ? lowest : highest;
+      const float code = (e == 0) == (along[c] >= 0) ? low[c] : high[c];
       const unsigned bits = bc7::end_bits(block, c) + last;
-      const auto whole = static_cast<unsigned>(
-          std::clamp(code, 0.0f, 255.0f) / 255 * static_cast<float>((1u << bits) - 1) + 0.5f);
+      const auto whole = static_cast<unsigned>(code / 255 * static_cast<float>((1u << bits) - 1) + 0.5f);
       if (bits > last) block.end[2 * part + e][c] = whole >> last;
     }
   }
