@@ -128,6 +128,29 @@ TEST_CASE("levels of one channel whose lengths are no multiples of 4 are read as
     CHECK(std::string(read.levels[l].values.begin(), read.levels[l].values.end()) == texels[l]);
 }
 
+TEST_CASE("a fourth channel apart that holds floats is refused in one clear line") {
+  const TempFolder folder;
+  PackOptions options = in_blocks("auto", {"ktx2"});
+  options.output.compress.budget = parse_block_budget("diffuse=3,f0=3");
+  (void)pack_text(folder, noisy_fourths(folder, false), options);
+  const Image8 gloss = file_of(folder, "page0_gloss.ktx2").levels[0];
+  const BlockFormat* const floats = block_format_named("BC6H");
+  const std::string bytes(texture_level_bytes(floats, gloss.width, gloss.height), '\3');
+  const std::vector<TextureLevel> levels{{gloss.width, gloss.height, bytes}};
+  std::string file;
+  write_ktx2(levels, floats, false, 0,
+             {[&](std::string_view more) { file += more; },
+              [&](std::size_t at, std::string_view with) { file.replace(at, with.size(), with); }});
+  spit(folder.file("out/page0_gloss.ktx2"), file);
+  std::string told;
+  for (const CheckTarget& target : targets_of_layout(folder.file("out/layout.json"), "l"))
+    for (const Finding& finding : check(target, picture_door(), Settings{}).findings)
+      if (finding.rule == "ETK001") told += finding.file + ": " + finding.message + '\n';
+  CHECK(contains(told, "page0_gloss.ktx2"));
+  CHECK(contains(told, "floats"));
+  CHECK(std::ranges::count(told, '\n') == 1);
+}
+
 TEST_CASE("a fourth channel apart does not save colours that miss the budget") {
   const TempFolder folder;
   (void)pack_text(folder, noisy_fourths(folder, true), in_blocks("auto", {"png", "ktx2"}));
