@@ -79,12 +79,13 @@ class LevelInBlocks {
   }
 
   // Whether a material would have twice the texels above its budget that it may have, whatever its blocks are tried
-  // with. Every sixteenth of the bad blocks tells; they stay as they are.
+  // with. Every sixteenth of the bad blocks tells, of very many fewer; they stay as they are.
   bool is_hopeless(const ByMaterial& spreads, const std::vector<bool>& misses,
                    std::span<const BlockTry> tries) {
-    constexpr std::size_t one_of = 16, least_blocks = 4096;
+    constexpr std::size_t least_blocks = 4096, most_tried = 1024;
     std::vector<std::size_t> some = bad_blocks(misses);
     if (some.size() < least_blocks) return false;
+    const std::size_t one_of = std::max<std::size_t>(16, some.size() / most_tried);
     for (std::size_t i = 0; i * one_of < some.size(); ++i) some[i] = some[i * one_of];
     some.resize((some.size() + one_of - 1) / one_of);
     const std::string bytes = bytes_;
