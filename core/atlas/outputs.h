@@ -58,11 +58,12 @@ bool writes_containers(const WriteOptions& options);
 
 /// Writes one texture of a page, in those of the formats that hold codes.
 ///   blocks   what KTX2 and DDS files hold in place of the texels; null: RGBA8. A fourth channel apart is written by
-///            write_fourth(), levels from `first` on that blocks do not have by write_tail()
+///            write_fourth(), and levels that are not in the blocks by write_tail()
 void write_page(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
                 const WriteOptions& options, const TextureInBlocks* blocks = nullptr);
 void write_fourth(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
                   const WriteOptions& options);
+///   first   the first level that is written
 void write_tail(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels, int first,
                 const WriteOptions& options);
 

@@ -147,9 +147,8 @@ BlockTexels decode_bc7(const std::uint8_t* block) {
                    fourth = second_bits == 0 ? colour : bptc::weight(second_bits, from.second[i]);
     const std::size_t part = bc7::part_of(from, i);
     for (std::size_t c = 0; c < 4; ++c)
-      out[i][c] = static_cast<std::uint8_t>(
+      out[i][bc7::turned(from, c)] = static_cast<std::uint8_t>(
           bc7::between(ends[2 * part][c], ends[2 * part + 1][c], c < 3 ? colour : fourth));
-    if (from.rotation != 0) std::swap(out[i][3], out[i][from.rotation - 1]);
   }
   return out;
 }

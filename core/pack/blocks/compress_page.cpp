@@ -226,10 +226,13 @@ class LevelInBlocks {
   std::size_t escalated_ = 0;
 };
 
+// The last tries take the most time, and where most blocks miss the budget they are spared.
+constexpr std::size_t longest_tries = 2;
+
 // What blocks are tried with in turn: more effort, then, step by step, what brings most texels within the budget.
 std::vector<BlockTry> tries_of(const CompressOptions& how) {
   // Channels of BC4 and BC5 are apart, and neither weights nor effort change them.
-  if (is_fitting(*how.format)) return {{how.effort}};
+  if (how.once || is_fitting(*how.format)) return {{how.effort}};
   std::vector<BlockTry> out;
   for (int effort = how.effort; effort <= most_block_effort; ++effort) out.push_back({effort});
   if (how.format->code == BlockCode::bc7) {
@@ -252,13 +255,12 @@ BlockLevel compressed(const BlockJob& job, const BlockMeasure& measure, int numb
                       std::string& bytes) {
   LevelInBlocks level(job, measure, number, shown);
   std::vector<BlockTry> tries = tries_of(job.how);
-  if (job.how.once) tries.resize(1);
   level.encode(tries[0]);
   ByMaterial spreads = level.measure();
   std::vector<bool> misses = missing(level, spreads);
   const auto any_misses = [&] { return std::ranges::find(misses, true) != misses.end(); };
   if (tries.size() > 1 && any_misses() && level.is_hopeless(spreads, misses, std::span(tries).subspan(1)))
-    tries.resize(job.how.falls_back ? 1 : tries.size() - 2);
+    tries.resize(job.how.falls_back ? 1 : tries.size() - longest_tries);
   for (std::size_t t = 1; t < tries.size() && any_misses(); ++t) {
     level.escalate(level.bad_blocks(misses), tries[t]);
     spreads = level.measure();

@@ -59,10 +59,6 @@ bool LevelTexels::is_mask(std::size_t material) const {
   return job_.texture == Texture::diffuse_alpha && job_.materials[material].alpha_mode == AlphaMode::mask;
 }
 
-double LevelTexels::budgets(const BlockDifferences& of, std::size_t i) const {
-  return std::max(of.colour[i] / measure.colour_budget(), of.fourth[i] / measure.fourth_budget());
-}
-
 double LevelTexels::compare(std::size_t number, const std::array<std::uint8_t, 4>* texels,
                             BlockDifferences& to) const {
   const AnyBlock from = bare_block(number);
@@ -81,10 +77,11 @@ double LevelTexels::compare(std::size_t number, const std::array<std::uint8_t, 4
     to.colour[to.count] = unseen || f0_apart ? 0 : measure.colour(from.texels[i], texels[i]);
     to.fourth[to.count] =
         opaque || job_.fourth_apart ? 0 : measure.fourth(from.texels[i][3], texels[i][3], cutoff);
-    to.at[to.count] = static_cast<std::uint8_t>(i);
     to.share[to.count] = from.shares[i];
-    const double difference = budgets(to, to.count++);
-    if (difference > 1) out += difference * from.shares[i];
+    const double budgets = std::max(to.colour[to.count] / measure.colour_budget(),
+                                    to.fourth[to.count] / measure.fourth_budget());
+    if (budgets > 1) out += budgets * from.shares[i];
+    ++to.count;
   }
   return out;
 }

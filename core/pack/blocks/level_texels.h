@@ -13,11 +13,10 @@
 namespace etak {
 
 /// Differences between texels of a block that count and what they were.
-///   at      numbers of these texels in the block
 ///   share   how much of them is read
 struct BlockDifferences {
   std::array<double, most_block_texels> colour, fourth;
-  std::array<std::uint8_t, most_block_texels> at, share;
+  std::array<std::uint8_t, most_block_texels> share;
   std::size_t count = 0;
 };
 
@@ -39,9 +38,6 @@ class LevelTexels {
   ///   texels    as the block has them
   ///   returns   those beyond the budget, in budgets, summed by how much of the texels is read
   double compare(std::size_t number, const std::array<std::uint8_t, 4>* texels, BlockDifferences& to) const;
-
-  /// A difference in budgets.
-  double budgets(const BlockDifferences& of, std::size_t i) const;
 
   /// Whether a material's opacity is a mask, which is kept exact.
   bool is_mask(std::size_t material) const;
